@@ -101,8 +101,7 @@ std::vector<OptionHelp> options_help(const CLI::App& command) {
   }
   // Arguments first, then the command's own options, then parameters.
   const auto place = [](const OptionHelp& option) { return option.is_positional ? 0 : option.is_parameter ? 2 : 1; };
-  std::stable_sort(options.begin(), options.end(),
-                   [&](const OptionHelp& a, const OptionHelp& b) { return place(a) < place(b); });
+  std::ranges::stable_sort(options, [&](const OptionHelp& a, const OptionHelp& b) { return place(a) < place(b); });
   return options;
 }
 

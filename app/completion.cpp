@@ -3,54 +3,29 @@
 #include <algorithm>
 
 #include "app/command_help.h"
+#include "core/lists.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {
 namespace {
 
-// The values to offer, by the name of the value in help.
-enum class Completes { nothing, files, folders, scenes, built_in_scenes, axes, commands };
+constexpr const char* axis_value = "PARAM=AXIS";
 
-Completes completes(const OptionHelp& option) {
-  const std::string& value = option.is_positional ? option.names.front() : option.value;
-  if (value == "FILE") return Completes::files;
-  if (value == "DIR") return Completes::folders;
-  if (value == "SCENE") return Completes::scenes;
-  if (value == "NAME" && option.is_positional) return Completes::built_in_scenes;
-  if (value == "PARAM=AXIS") return Completes::axes;
-  if (value == "COMMAND") return Completes::commands;
-  return Completes::nothing;
-}
+std::string scene_names() { return joined(builtin_scenes(), " ", &BuiltinScene::name); }
 
-std::string spaced(const std::vector<std::string>& words, const std::string& separator = " ") {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-  return text;
-}
+std::string command_names(const ProgramHelp& program) { return joined(program.commands, " ", &CommandHelp::name); }
 
-std::string scene_names() {
-  std::vector<std::string> names;
-  for (const BuiltinScene& scene : builtin_scenes()) names.emplace_back(scene.name);
-  return spaced(names);
-}
-
-std::string command_names(const ProgramHelp& program) {
-  std::vector<std::string> names;
-  for (const CommandHelp& command : program.commands) names.push_back(command.name);
-  return spaced(names);
-}
-
-// Full names, each once; they have a dot.
-std::vector<std::string> parameter_names(const ProgramHelp& program) {
+// Full names, each once, as the first words of axes but for the last "="; they have a dot.
+std::string parameter_names(const ProgramHelp& program) {
   std::vector<std::string> names;
   for (const CommandHelp& command : program.commands) {
     for (const OptionHelp& option : command.options) {
-      if (option.is_parameter && std::find(names.begin(), names.end(), option.names.front()) == names.end()) {
+      if (option.is_parameter && std::ranges::find(names, option.names.front()) == names.end()) {
         names.push_back(option.names.front());
       }
     }
   }
-  return names;
+  return joined(names, "= ");
 }
 
 std::vector<std::string> flags_of(const OptionHelp& option) {
@@ -70,8 +45,8 @@ std::vector<std::string> flags_of(const std::vector<OptionHelp>& options) {
 }
 
 const OptionHelp* positional_of(const CommandHelp& command) {
-  const auto found = std::find_if(command.options.begin(), command.options.end(),
-                                  [](const OptionHelp& option) { return option.is_positional; });
+  const auto found =
+      std::ranges::find_if(command.options, [](const OptionHelp& option) { return option.is_positional; });
   return found == command.options.end() ? nullptr : &*found;
 }
 
@@ -82,25 +57,47 @@ std::string shell_quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string bash_values(const OptionHelp& option) {
-  if (!option.choices.empty()) return "_umbrameter_words " + shell_quoted(spaced(option.choices));
-  switch (completes(option)) {
-    case Completes::files:
-      return "_umbrameter_files -f";
-    case Completes::folders:
-      return "_umbrameter_files -d";
-    case Completes::scenes:
-      return "_umbrameter_words \"$scenes\"; _umbrameter_files -f";
-    case Completes::built_in_scenes:
-      return "_umbrameter_words \"$scenes\"";
-    case Completes::axes:
-      return "_umbrameter_words \"$parameters\"; compopt -o nospace 2>/dev/null";
-    case Completes::commands:
-      return "_umbrameter_words \"$commands\"";
-    case Completes::nothing:
-      break;
+std::string fish_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') result += '\\';
+    result += c;
   }
-  return ":";
+  return result + "'";
+}
+
+// Completes the value of an option, or of the command itself: a command of the script of bash, an action of zsh's
+// _arguments, and the flags of fish's complete, -x for a value that is no file and -r for a file.
+struct ShellValues {
+  std::string bash;
+  std::string zsh;
+  std::string fish;
+};
+
+ShellValues values_of(const OptionHelp& option, const ProgramHelp& program) {
+  const auto words = [](const std::string& list) { return " -x -a " + fish_quoted(list); };
+  if (!option.choices.empty()) {
+    const std::string choices = joined(option.choices, " ");
+    return {"_umbrameter_words " + shell_quoted(choices), "(" + choices + ")", words(choices)};
+  }
+  const std::string& value = option.is_positional ? option.names.front() : option.value;
+  if (value == "FILE") return {"_umbrameter_files -f", "_files", " -r -F"};
+  if (value == "DIR") return {"_umbrameter_files -d", "_files -/", " -x -a '(__fish_complete_directories)'"};
+  if (value == "SCENE") {
+    return {"_umbrameter_words \"$scenes\"; _umbrameter_files -f", "_umbrameter_scenes",
+            " -F -a " + fish_quoted(scene_names())};
+  }
+  if (value == "NAME" && option.is_positional) {
+    return {"_umbrameter_words \"$scenes\"", "_umbrameter_built_in", words(scene_names())};
+  }
+  if (value == axis_value) {
+    return {"_umbrameter_words \"$parameters\"; compopt -o nospace 2>/dev/null", "_umbrameter_axes",
+            words(parameter_names(program) + "=")};
+  }
+  if (value == "COMMAND") {
+    return {"_umbrameter_words \"$commands\"", "_umbrameter_commands", words(command_names(program))};
+  }
+  return {":", " ", option.value.empty() ? "" : " -x"};
 }
 
 constexpr const char* bash_start = R"(# Completion for umbrameter in bash, made by 'umbrameter generate bash'.
@@ -137,36 +134,15 @@ std::string zsh_escaped(const std::string& text) {
   return result;
 }
 
-std::string zsh_action(const OptionHelp& option) {
-  if (!option.choices.empty()) return fmt::format("({})", spaced(option.choices));
-  switch (completes(option)) {
-    case Completes::files:
-      return "_files";
-    case Completes::folders:
-      return "_files -/";
-    case Completes::scenes:
-      return "_umbrameter_scenes";
-    case Completes::built_in_scenes:
-      return "_umbrameter_built_in";
-    case Completes::axes:
-      return "_umbrameter_axes";
-    case Completes::commands:
-      return "_umbrameter_commands";
-    case Completes::nothing:
-      break;
-  }
-  return " ";
-}
-
 // One specification a name: "'(-o --output)-o[folder]:DIR:_files -/'".
-std::vector<std::string> zsh_specifications(const OptionHelp& option) {
-  const std::string action = zsh_action(option);
+std::vector<std::string> zsh_specifications(const OptionHelp& option, const ProgramHelp& program) {
+  const std::string action = values_of(option, program).zsh;
   if (option.is_positional) return {shell_quoted("*:" + option.names.front() + ":" + action)};
   std::vector<std::string> specifications;
   const std::vector<std::string> flags = flags_of(option);
-  const bool repeats = completes(option) == Completes::axes;
+  const bool repeats = option.value == axis_value;
   for (const std::string& flag : flags) {
-    std::string text = repeats ? "*" : flags.size() > 1 ? fmt::format("({})", spaced(flags)) : "";
+    std::string text = repeats ? "*" : flags.size() > 1 ? fmt::format("({})", joined(flags, " ")) : "";
     text += flag;
     if (!option.value.empty()) text += flag.starts_with("--") ? "=" : "+";
     text += fmt::format("[{}]", zsh_escaped(option.meaning));
@@ -176,44 +152,14 @@ std::vector<std::string> zsh_specifications(const OptionHelp& option) {
   return specifications;
 }
 
-std::string zsh_arguments(const std::vector<OptionHelp>& options, const std::string& indent) {
-  std::string text = "_arguments -s";
+std::string zsh_arguments(const std::vector<OptionHelp>& options, const ProgramHelp& program,
+                          const std::string& indent) {
+  std::string text;
   for (const OptionHelp& option : options) {
-    for (const std::string& specification : zsh_specifications(option)) text += " \\\n" + indent + specification;
+    for (const std::string& specification : zsh_specifications(option, program))
+      text += " \\\n" + indent + specification;
   }
   return text;
-}
-
-std::string fish_quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "'";
-}
-
-// "-x": takes a value that is no file; "-r": a file.
-std::string fish_values(const OptionHelp& option, const ProgramHelp& program) {
-  const auto words = [](const std::string& list) { return " -x -a " + fish_quoted(list); };
-  if (!option.choices.empty()) return words(spaced(option.choices));
-  switch (completes(option)) {
-    case Completes::files:
-      return " -r -F";
-    case Completes::folders:
-      return " -x -a '(__fish_complete_directories)'";
-    case Completes::scenes:
-      return " -F -a " + fish_quoted(scene_names());
-    case Completes::built_in_scenes:
-      return words(scene_names());
-    case Completes::axes:
-      return words(spaced(parameter_names(program), "= ") + "=");
-    case Completes::commands:
-      return words(command_names(program));
-    case Completes::nothing:
-      break;
-  }
-  return option.value.empty() ? "" : " -x";
 }
 
 std::string fish_line(const std::string& condition, const OptionHelp& option, const ProgramHelp& program) {
@@ -222,7 +168,7 @@ std::string fish_line(const std::string& condition, const OptionHelp& option, co
   if (!option.is_positional) {
     for (const std::string& name : option.names) text += " -l " + name;
   }
-  text += fish_values(option, program);
+  text += values_of(option, program).fish;
   return option.is_positional ? text + "\n" : text + " -d " + fish_quoted(option.meaning) + "\n";
 }
 
@@ -232,32 +178,28 @@ std::string bash_completion(const ProgramHelp& program) {
   std::string text = bash_start;
   text += "  local commands=" + shell_quoted(command_names(program)) + "\n";
   text += "  local scenes=" + shell_quoted(scene_names()) + "\n";
-  text += "  local parameters=" + shell_quoted(spaced(parameter_names(program), "= ") + "=") + "\n";
-  text += "  local options=" + shell_quoted(spaced(flags_of(program.options))) + "\n";
+  text += "  local parameters=" + shell_quoted(parameter_names(program) + "=") + "\n";
+  text += "  local options=" + shell_quoted(joined(flags_of(program.options), " ")) + "\n";
   text += "  for ((i = 1; i < COMP_CWORD; i++)); do\n    case ${COMP_WORDS[i]} in\n";
-  std::string cases = command_names(program);
-  std::replace(cases.begin(), cases.end(), ' ', '|');
-  text += "      " + cases + ") command=${COMP_WORDS[i]}; break ;;\n    esac\n  done\n\n";
+  text += "      " + joined(program.commands, "|", &CommandHelp::name);
+  text += ") command=${COMP_WORDS[i]}; break ;;\n    esac\n  done\n\n";
 
   text += "  case \"$command $previous\" in\n";
   for (const CommandHelp& command : program.commands) {
     for (const OptionHelp& option : command.options) {
       if (option.is_positional || option.value.empty()) continue;
-      std::string patterns;
-      for (const std::string& flag : flags_of(option)) {
-        if (!patterns.empty()) patterns += "|";
-        patterns += shell_quoted(command.name + " " + flag);
-      }
-      text += fmt::format("    {}) {}; return ;;\n", patterns, bash_values(option));
+      const std::string patterns = joined(
+          flags_of(option), "|", [&](const std::string& flag) { return shell_quoted(command.name + " " + flag); });
+      text += fmt::format("    {}) {}; return ;;\n", patterns, values_of(option, program).bash);
     }
   }
   text += "  esac\n\n  case $command in\n";
   for (const CommandHelp& command : program.commands) {
     text += "    " + command.name + ")\n";
     if (const OptionHelp* positional = positional_of(command)) {
-      text += "      if [[ $word != -* ]]; then " + bash_values(*positional) + "; return; fi\n";
+      text += "      if [[ $word != -* ]]; then " + values_of(*positional, program).bash + "; return; fi\n";
     }
-    text += "      options=" + shell_quoted(spaced(flags_of(command.options))) + "\n      ;;\n";
+    text += "      options=" + shell_quoted(joined(flags_of(command.options), " ")) + "\n      ;;\n";
   }
   text += "    *) [[ $word == -* ]] || options=$commands ;;\n  esac\n  _umbrameter_words \"$options\"\n}\n\n";
   return text + "complete -F _umbrameter umbrameter\n";
@@ -267,21 +209,19 @@ std::string zsh_completion(const ProgramHelp& program) {
   std::string text = "#compdef umbrameter\n# Completion for umbrameter in zsh, made by 'umbrameter generate zsh'.\n\n";
   text += "_umbrameter_built_in() {\n  compadd -- " + scene_names() + "\n}\n\n";
   text += "_umbrameter_scenes() {\n  _umbrameter_built_in\n  _files\n}\n\n";
-  text += "_umbrameter_axes() {\n  compadd -S '' -- " + spaced(parameter_names(program), "= ") + "=\n}\n\n";
+  text += "_umbrameter_axes() {\n  compadd -S '' -- " + parameter_names(program) + "=\n}\n\n";
   text += "_umbrameter_commands() {\n  local -a commands=(\n";
   for (const CommandHelp& command : program.commands) {
     text += "    " + shell_quoted(command.name + ":" + zsh_escaped(command.summary)) + "\n";
   }
   text += "  )\n  _describe command commands\n}\n\n";
   text += "_umbrameter() {\n  local context state line\n  typeset -A opt_args\n";
-  text += "  _arguments -C";
-  for (const OptionHelp& option : program.options) {
-    for (const std::string& specification : zsh_specifications(option)) text += " \\\n    " + specification;
-  }
+  text += "  _arguments -C" + zsh_arguments(program.options, program, "    ");
   text += " \\\n    '1:command:_umbrameter_commands' \\\n    '*::argument:->arguments'\n";
   text += "  [[ $state == arguments ]] || return\n  case $words[1] in\n";
   for (const CommandHelp& command : program.commands) {
-    text += "    " + command.name + ")\n      " + zsh_arguments(command.options, "        ") + "\n      ;;\n";
+    text += "    " + command.name + ")\n      _arguments -s" + zsh_arguments(command.options, program, "        ") +
+            "\n      ;;\n";
   }
   return text + "  esac\n}\n\n_umbrameter \"$@\"\n";
 }

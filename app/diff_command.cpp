@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "app/commands.h"
 #include "compare/alignment.h"
 #include "compare/metrics/color_metric.h"
+#include "core/lists.h"
 #include "core/standard_streams.h"
 #include "reports/figures/figures.h"
 #include "reports/files/image_file.h"
@@ -22,21 +22,6 @@ using Json = nlohmann::ordered_json;
 
 [[noreturn]] void reject(const std::string& option, const std::string& text, const std::string& remedy) {
   throw Error(ExitCode::usage, option + " " + text, "not understood", remedy);
-}
-
-// The numbers of a text with separators: "1,2,3". Nothing for anything else.
-template <class T>
-std::optional<std::vector<T>> parse_list(std::string_view text, char separator) {
-  std::vector<T> values;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (true) {
-    const auto [next, error] = std::from_chars(at, end, values.emplace_back());
-    if (error != std::errc()) return std::nullopt;
-    if (next == end) return values;
-    if (*next != separator) return std::nullopt;
-    at = next + 1;
-  }
 }
 
 struct Pair {
@@ -75,7 +60,7 @@ Image<vec3> cropped(const Image<vec3>& image, int left, int top, int width, int 
 }
 
 void crop(Pair& pair, const std::string& text) {
-  const std::optional<std::vector<int>> box = parse_list<int>(text, ',');
+  const std::optional<std::vector<int>> box = parsed_list<int>(text, ',');
   if (!box || box->size() != 4) reject("--crop", text, "write it like 100,50,640,360: left, top, width, height");
   const auto [left, top, width, height] = std::array{(*box)[0], (*box)[1], (*box)[2], (*box)[3]};
   const Image<vec3>& image = pair.reference.linear;
@@ -112,7 +97,7 @@ ColorMetricParams metric_params(const DiffOptions& diff) {
   if (diff.pixels_per_degree > 0.0) params.pixels_per_degree = diff.pixels_per_degree;
   params.exposure = diff.exposure;
   if (diff.exposures.empty()) return params;
-  const std::optional<std::vector<double>> range = parse_list<double>(diff.exposures, ':');
+  const std::optional<std::vector<double>> range = parsed_list<double>(diff.exposures, ':');
   const bool is_range = range && (range->size() == 2 || range->size() == 3) && std::isfinite((*range)[0]) &&
                         std::isfinite((*range)[1]) && std::abs((*range)[0]) <= 100.0 && std::abs((*range)[1]) <= 100.0;
   const double count = is_range && range->size() == 3 ? (*range)[2] : 2.0;

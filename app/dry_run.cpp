@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/lists.h"
 #include "core/standard_streams.h"
 #include "experiments/settings/shard_cuts.h"
 #include "reports/files/text_layout.h"
@@ -55,10 +56,8 @@ ExitCode show(const Console& console, const std::vector<Row>& rows) {
 ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages& stages,
                          const Experiment& experiment) {
   std::vector<Row> rows = {scene_row(stages, experiment), view_row(console, stages, experiment.view)};
-  std::string lights;
-  for (const std::uint32_t light : stages.lights(experiment.view.light)) {
-    lights += (lights.empty() ? "" : ", ") + light_text(stages, experiment, light);
-  }
+  const std::string lights = joined(stages.lights(experiment.view.light), ", ",
+                                    [&](std::uint32_t light) { return light_text(stages, experiment, light); });
   const bool shadows = measures_shadows(experiment);
   const bool ao = measures_ao(experiment);
   if (shadows) rows.emplace_back("lights", lights);
@@ -103,18 +102,15 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
   std::vector<Row> rows = {scene_row(stages, sweep.experiment), view_row(console, stages, sweep.experiment.view)};
   const SweptQuantity quantity = quantity_of(sweep.statistics);
   if (quantity != SweptQuantity::ao) {
-    std::string lights;
-    for (const std::uint32_t light : swept_lights(stages, sweep.experiment, sweep.axes, quantity)) {
-      lights += (lights.empty() ? "" : ", ") + light_text(stages, sweep.experiment, light);
-    }
-    rows.emplace_back("light", lights);
+    const std::vector<std::uint32_t> lights = swept_lights(stages, sweep.experiment, sweep.axes, quantity);
+    rows.emplace_back("light", joined(lights, ", ", [&](std::uint32_t light) {
+                        return light_text(stages, sweep.experiment, light);
+                      }));
   }
   rows.emplace_back("measures", quantity_title(quantity));
-  std::string axes;
-  for (const SweepAxis& axis : sweep.axes) {
-    axes += (axes.empty() ? "" : "; ") + fmt::format("{}, {} values ({})", axis.key, axis.values.size(), axis.text);
-  }
-  rows.emplace_back("axes", axes);
+  rows.emplace_back("axes", joined(sweep.axes, "; ", [](const SweepAxis& axis) {
+                      return fmt::format("{}, {} values ({})", axis.key, axis.values.size(), axis.text);
+                    }));
   rows.emplace_back("cells", grouped(plan.cells));
   const std::size_t groups = count_groups(plan);
   rows.emplace_back("groups", fmt::format("{} of at most {} cell{}; {}", grouped(groups),

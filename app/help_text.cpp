@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "app/command_help.h"
+#include "core/lists.h"
 #include "reports/files/markup.h"
 #include "reports/files/text_layout.h"
 
@@ -16,11 +17,7 @@ std::string spaces(std::size_t count) { return std::string(count, ' '); }
 
 // Lines from a column on; all but the first are indented by `hanging`, too.
 std::string wrapped(std::string_view text, std::size_t column, std::size_t hanging = 0) {
-  std::string result;
-  for (const std::string& line : wrap_lines(text, help_width - column, hanging)) {
-    result += (result.empty() ? "" : "\n" + spaces(column)) + line;
-  }
-  return result + "\n";
+  return joined(wrap_lines(text, help_width - column, hanging), "\n" + spaces(column)) + "\n";
 }
 
 std::string row(const std::string& left, const std::string& right, std::size_t column = meaning_column) {
@@ -54,7 +51,7 @@ std::string right_of(const OptionHelp& option, bool with_range) {
 std::string options_text(const std::vector<OptionHelp>& options, bool all, const auto& is_listed) {
   std::vector<std::string> groups;
   for (const OptionHelp& option : options) {
-    if (is_listed(option) && std::find(groups.begin(), groups.end(), option.group) == groups.end()) {
+    if (is_listed(option) && std::ranges::find(groups, option.group) == groups.end()) {
       groups.push_back(option.group);
     }
   }
@@ -112,8 +109,7 @@ std::string help_text(const CommandHelp& command, bool all) {
   std::string text =
       wrapped(command.summary, 0) + "\n" + wrapped("Usage: umbrameter " + command.name + " " + command.usage, 0, 4);
   text += options_text(command.options, all, [&](const OptionHelp& option) { return all || option.is_basic; });
-  const auto hidden = std::count_if(command.options.begin(), command.options.end(),
-                                    [](const OptionHelp& option) { return !option.is_basic; });
+  const auto hidden = std::ranges::count_if(command.options, [](const OptionHelp& option) { return !option.is_basic; });
   if (!all && hidden > 0) {
     text +=
         "\n'umbrameter " + command.name + " --help-all' lists all parameters (" + std::to_string(hidden) + " more).\n";

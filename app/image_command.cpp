@@ -80,9 +80,8 @@ void require_measured(const Experiment& experiment, const std::vector<BudgetEntr
   for (const BudgetEntry& condition : conditions) {
     const std::vector<KnownStatistic> known =
         require_statistic(parse_statistic_name(condition.statistic), condition.place);
-    const bool is_measured = std::any_of(known.begin(), known.end(), [&](const KnownStatistic& each) {
-      return each.kind == (shadows ? "shadow" : "ao");
-    });
+    const bool is_measured = std::ranges::any_of(
+        known, [&](const KnownStatistic& each) { return each.kind == (shadows ? "shadow" : "ao"); });
     require(true, is_measured, condition.place, shadows ? "ambient occlusion" : "shadows");
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/planned_tune.h"
+#include "core/lists.h"
 #include "present/run_output.h"
 #include "reports/files/output.h"
 #include "store/shard_file.h"
@@ -23,10 +24,6 @@ KnownPoints points_of(const ScratchRows& rows, const std::vector<PlannedCell>& c
   KnownPoints points;
   for (const auto& [key, point] : parts) points[key] = join_parts(layout, point.first, point.second);
   return points;
-}
-
-std::string counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 // Writes the next round and says what to run.
@@ -50,8 +47,8 @@ std::string counted(std::size_t count, const char* what) {
   print_line(console,
              fmt::format("round {} of about {}: {} in {}; {} of at most {} evaluations are "
                          "done, which needed {} of the {} measured points",
-                         rounds + 1, rounds + more + 1, counted(next.points.size(), "point"),
-                         counted(shards.size(), "shard"), next.searched, next.limit, next.used, points.size()));
+                         rounds + 1, rounds + more + 1, count_text(next.points.size(), "point"),
+                         count_text(shards.size(), "shard"), next.searched, next.limit, next.used, points.size()));
   show_shards(console, planned, shards, {});
   throw Error(ExitCode::partial, planned.folder.string(), "the search has not ended",
               fmt::format("run the shards of round {} and merge again", rounds + 1));

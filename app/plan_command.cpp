@@ -33,7 +33,7 @@ void require_options_of_sweep(const CommandLine& line) {
   none.scenes = line.tune.scenes;
   const auto of_sweep = pairs_of(none);
   for (const auto& [name, text] : pairs_of(line.tune)) {
-    if (std::find(of_sweep.begin(), of_sweep.end(), std::pair(name, text)) != of_sweep.end()) continue;
+    if (std::ranges::find(of_sweep, std::pair(name, text)) != of_sweep.end()) continue;
     throw Error(ExitCode::usage, "--" + name, "only a tuning has this option", "plan tune, or leave it out");
   }
   if (line.tune.minutes > 0.0) throw Error(ExitCode::usage, "--minutes", "a sweep has no time limit");

@@ -32,7 +32,7 @@ PlannedFolder open_plan(const CommandLine& line) {
   planned.given = load_experiment(file, Experiment{});
   const auto resolve = [&](std::string& scene) {
     const std::vector<std::string>& files = planned.plan.scene_files;
-    if (std::find(files.begin(), files.end(), scene) == files.end()) return;
+    if (std::ranges::find(files, scene) == files.end()) return;
     scene = fs::absolute(planned.folder / scene).lexically_normal().string();
   };
   resolve(planned.given.scene);
@@ -84,7 +84,7 @@ std::string shell_word(const fs::path& file) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
            std::string_view("_-./+:,@%").find(c) != std::string_view::npos;
   };
-  if (!path.empty() && std::all_of(path.begin(), path.end(), is_plain)) return path;
+  if (!path.empty() && std::ranges::all_of(path, is_plain)) return path;
   std::string quoted = "'";
   for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";

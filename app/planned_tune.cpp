@@ -15,7 +15,7 @@ namespace {
 constexpr std::array kinds = {"before", "point", "scan"};  // TuneQuery::Kind
 
 TuneQuery query_of(const PlannedPoint& point) {
-  const auto place = std::find(kinds.begin(), kinds.end(), point.kind) - kinds.begin();
+  const auto place = std::ranges::find(kinds, point.kind) - kinds.begin();
   return {static_cast<TuneQuery::Kind>(place), point.values};
 }
 
@@ -143,7 +143,7 @@ ShardMeasurer load_tune_measurer(const PlannedFolder& planned, const Console& co
   measurer.notes = [loaded] {
     std::vector<std::string> more;
     for (const std::string& text : loaded->run.notes()) {
-      if (std::find(loaded->notes.begin(), loaded->notes.end(), text) == loaded->notes.end()) more.push_back(text);
+      if (std::ranges::find(loaded->notes, text) == loaded->notes.end()) more.push_back(text);
     }
     return more;
   };

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "core/lists.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
 #include "present/presentation_parts.h"
@@ -26,8 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<StoredRun> read_runs(const CommandLine& line) {
-  std::vector<StoredRun> runs;
-  for (const fs::path& folder : line.report.folders) runs.push_back(read_stored_run(folder));
+  std::vector<StoredRun> runs =
+      mapped(line.report.folders, [](const fs::path& folder) { return read_stored_run(folder); });
   // Runs whose folders have the same name are called by their paths.
   std::map<std::string, int> uses;
   for (const StoredRun& run : runs) ++uses[run.name];
@@ -46,7 +47,7 @@ void sort_by_content(std::vector<Figure>& figures) {
   std::vector<Figure> sorted;
   for (const Figure& first : figures) {
     const auto is_same = [&](const Figure& figure) { return content_of(figure) == content_of(first); };
-    if (std::any_of(sorted.begin(), sorted.end(), is_same)) continue;
+    if (std::ranges::any_of(sorted, is_same)) continue;
     std::copy_if(figures.begin(), figures.end(), std::back_inserter(sorted), is_same);
   }
   figures = std::move(sorted);
@@ -159,10 +160,8 @@ void write_latex(const fs::path& folder, const std::vector<PartTables>& parts) {
 Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTables>& parts,
                    const std::vector<ReportSection>& figures) {
   Report report;
-  std::string names;
-  for (const StoredRun& run : runs) names += (names.empty() ? "" : ", ") + run.name;
   report.title = fmt::format("{}: {}", runs.front().scene, runs.size() > 1 ? "runs side by side" : "a run");
-  report.subtitle = names;
+  report.subtitle = joined(runs, ", ", &StoredRun::name);
   report.command = "umbrameter report";
   for (const StoredRun& run : runs) report.command += " " + run.name;
   report.command += " -o OUT";

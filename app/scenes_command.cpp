@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "core/interrupt.h"
+#include "core/lists.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
 #include "experiments/measure/contact_sheet.h"
@@ -54,21 +55,14 @@ Chosen find_scene(const std::string& name) {
 }
 
 std::vector<Chosen> choose(const std::vector<std::string>& names) {
-  std::vector<Chosen> all;
-  for (const std::string& name : names) all.push_back(find_scene(name));
+  std::vector<Chosen> all = mapped(names, [](const std::string& name) { return find_scene(name); });
   if (!names.empty()) return all;
   for (const BuiltinScene& scene : builtin_scenes()) all.push_back({&scene, std::string(scene.name)});
   return all;
 }
 
-std::string names_text(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text.append(text.empty() ? "" : ", ").append(name);
-  return text;
-}
-
 std::string counted(const char* noun, const std::vector<std::string>& names) {
-  return fmt::format("{}{} {}", noun, names.size() == 1 ? "" : "s", names_text(names));
+  return fmt::format("{}{} {}", noun, names.size() == 1 ? "" : "s", joined(names, ", "));
 }
 
 std::string size_text(const Listed& scene) {
@@ -121,7 +115,7 @@ std::string to_markdown(const std::vector<Listed>& scenes) {
   for (const Listed& scene : scenes) {
     const BuiltinScene& description = *scene.description;
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", scene.name, description.purpose, grouped(scene.triangles),
-                        names_text(scene.cameras), names_text(scene.lights));
+                        joined(scene.cameras, ", "), joined(scene.lights, ", "));
     if (description.counted.empty()) continue;
     const bool is_exact = description.counted == "lights";
     sizes +=

@@ -128,7 +128,7 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   if (!line.no_figures) results.tune->points = measure_points(run.cases.front(), summary);
   results.notes = run.notes();
   for (const std::string& text : measured.notes) {
-    if (std::find(results.notes.begin(), results.notes.end(), text) == results.notes.end()) {
+    if (std::ranges::find(results.notes, text) == results.notes.end()) {
       results.notes.push_back(text);
     }
   }

@@ -124,7 +124,7 @@ std::vector<std::string> TuneRun::notes() const {
   std::vector<std::string> all;
   for (const auto& of_scene : by_scene) {
     for (const std::string& text : of_scene.front().stages->notes()) {
-      if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+      if (std::ranges::find(all, text) == all.end()) all.push_back(text);
     }
   }
   return all;

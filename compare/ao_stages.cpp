@@ -98,7 +98,7 @@ std::vector<double> quarters(const GBuffer& gbuffer) {
     if (gbuffer.is_surface(i)) depths.push_back(gbuffer.depth[i]);
   }
   if (depths.empty()) return {};
-  std::sort(depths.begin(), depths.end());
+  std::ranges::sort(depths);
   const auto at = [&](std::size_t quarter) {
     return static_cast<double>(depths[std::min(quarter * depths.size() / 4, depths.size() - 1)]);
   };

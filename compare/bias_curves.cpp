@@ -96,8 +96,8 @@ std::optional<BiasCell> best_without_acne(const BiasOptima& optima) {
 }
 
 const BiasLine& flattest(const BiasOptima& optima) {
-  return *std::min_element(optima.lines.begin(), optima.lines.end(),
-                           [](const BiasLine& a, const BiasLine& b) { return std::abs(a.slope) < std::abs(b.slope); });
+  return *std::ranges::min_element(
+      optima.lines, [](const BiasLine& a, const BiasLine& b) { return std::abs(a.slope) < std::abs(b.slope); });
 }
 
 }  // namespace umbrameter

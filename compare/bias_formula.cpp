@@ -22,7 +22,7 @@ FormulaRange range_of(std::span<const FormulaPoint> points, Fact fact) {
   for (const FormulaPoint& point : points)
     if (std::isfinite(fact(point))) values.push_back(fact(point));
   if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   FormulaRange range{values.front(), values.back(), 1};
   for (std::size_t i = 1; i < values.size(); ++i)
     if (values[i] - values[i - 1] > BiasFacts::tolerance * std::abs(values[i])) ++range.values;
@@ -84,8 +84,8 @@ std::vector<FormulaPoint> independent_points(std::span<const FormulaPoint> point
   std::vector<FormulaPoint> independent;
   std::vector<double> merged;  // points in each
   for (const FormulaPoint& point : points) {
-    const auto found = std::find_if(independent.begin(), independent.end(), [&](const FormulaPoint& other) {
-      return is_equal(point.texel, other.texel) && std::all_of(terms.begin(), terms.end(), [&](FormulaTerm t) {
+    const auto found = std::ranges::find_if(independent, [&](const FormulaPoint& other) {
+      return is_equal(point.texel, other.texel) && std::ranges::all_of(terms, [&](FormulaTerm t) {
                return is_equal(length_of(t, point), length_of(t, other));
              });
     });
@@ -126,7 +126,7 @@ bool is_outside(const BiasFormula& formula, const FormulaPoint& point) {
 
 std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
   const auto has_radius = [](const FormulaPoint& point) { return std::isfinite(point.facts.radius); };
-  const bool needs_radius = std::any_of(all.begin(), all.end(), has_radius);
+  const bool needs_radius = std::ranges::any_of(all, has_radius);
   std::vector<FormulaPoint> points;
   for (const FormulaPoint& point : all) {
     if (std::isfinite(point.facts.depth_per_texel) && (!needs_radius || has_radius(point))) points.push_back(point);

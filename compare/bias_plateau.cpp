@@ -37,7 +37,7 @@ std::optional<BiasPlateau> plateau_of(std::span<const BiasCell> cells, std::opti
   if (cells.empty()) return std::nullopt;
   std::vector<double> errors;
   for (const BiasCell& cell : cells) errors.push_back(cell.mae);
-  const auto least = static_cast<std::size_t>(std::min_element(errors.begin(), errors.end()) - errors.begin());
+  const auto least = static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin());
   const double of_share = std::max(plateau_limit(floor.value_or(errors[least])), errors[least]);
   const double of_chance = pixels > 0 ? chance_pixels / static_cast<double>(pixels) : 0.0;
   const double of_pixels = errors[least] <= of_chance ? errors[least] + of_chance : 0.0;

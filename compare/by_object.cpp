@@ -42,8 +42,7 @@ std::vector<PartError> errors_by_part(const Scene& scene, PartKind kind, const G
   }
   parts.erase(std::remove_if(parts.begin(), parts.end(), [](const PartError& part) { return part.pixels == 0; }),
               parts.end());
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const PartError& a, const PartError& b) { return weight_of(a) > weight_of(b); });
+  std::ranges::stable_sort(parts, [](const PartError& a, const PartError& b) { return weight_of(a) > weight_of(b); });
   return parts;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/frame_fit.h"
+#include "core/lists.h"
 
 namespace umbrameter {
 namespace {
@@ -53,9 +54,7 @@ std::string remedy_text(const Remedy& remedy, bool has_positions, DepthConventio
   if (glm::length(remedy.shift) > most_shift) {
     parts.push_back(fmt::format("it is shifted by ({:.2f}, {:.2f}) px", remedy.shift.x, remedy.shift.y));
   }
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", and ") + part;
-  return text;
+  return joined(parts, ", and ");
 }
 
 // Every way to name the axes, the usual ones first.

@@ -33,7 +33,7 @@ Image<int> nearest_rows(const ShadowEdges& edges, const Direction& direction) {
       nearest.at(x, y) = row;
     }
   }
-  std::fill(last.begin(), last.end(), nowhere);
+  std::ranges::fill(last, nowhere);
   for (int y = height - 1; y >= 0; --y) {
     for (int x = 0; x < width; ++x) {
       int& row = last[static_cast<std::size_t>(x)];

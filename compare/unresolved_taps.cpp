@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "techniques/shadow/reference/facet.h"
 #include "techniques/shadow/reference/ordered.h"
 
@@ -61,10 +62,7 @@ TapSurfaces surfaces_of(const Scene& scene, const MapLayout& layout, const GBuff
 
 std::vector<TapSurfaces> surfaces_of(const Scene& scene, const MapLayout& layout, const GBuffer& gbuffer,
                                      std::span<const UnresolvedTap> taps) {
-  std::vector<TapSurfaces> surfaces;
-  surfaces.reserve(taps.size());
-  for (const UnresolvedTap& tap : taps) surfaces.push_back(surfaces_of(scene, layout, gbuffer, tap));
-  return surfaces;
+  return mapped(taps, [&](const UnresolvedTap& tap) { return surfaces_of(scene, layout, gbuffer, tap); });
 }
 
 void reclassify(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const UnresolvedTap> taps,

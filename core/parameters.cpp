@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "core/suggestion.h"
 
 namespace umbrameter {
@@ -28,11 +29,7 @@ std::string number_text(double number) {
 
 template <class Number>
 std::optional<Number> parse_number(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  Number number{};
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return std::nullopt;
-  return number;
+  return parsed<Number>(text.starts_with('+') ? text.substr(1) : text);
 }
 
 std::optional<Size> parse_size(std::string_view text) {
@@ -224,7 +221,7 @@ void Parameter::set(const Value& value) const {
                               const auto* given = std::get_if<std::string>(&value);
                               if (given == nullptr) return false;
                               const std::string name = name_of_choice(description, *given);
-                              const auto found = std::find(choice.names.begin(), choice.names.end(), name);
+                              const auto found = std::ranges::find(choice.names, name);
                               if (found == choice.names.end()) return false;
                               *choice.value = static_cast<int>(found - choice.names.begin());
                               return true;
@@ -301,8 +298,7 @@ bool Parameter::is_number() const {
 }
 
 const Parameter* find(const Parameters& parameters, std::string_view key) {
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const Parameter& parameter) { return parameter.key == key; });
+  const auto found = std::ranges::find(parameters, key, &Parameter::key);
   return found == parameters.end() ? nullptr : &*found;
 }
 

@@ -32,9 +32,9 @@ bool is_slip(std::string_view a, std::string_view b) {
 }
 
 bool has_words(const std::vector<std::string_view>& words, const std::vector<std::string_view>& wanted, bool slips) {
-  return !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [&](std::string_view want) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](std::string_view word) { return slips ? is_slip(word, want) : word == want; });
+  return !wanted.empty() && std::ranges::all_of(wanted, [&](std::string_view want) {
+    return std::ranges::any_of(words,
+                               [&](std::string_view word) { return slips ? is_slip(word, want) : word == want; });
   });
 }
 
@@ -79,7 +79,7 @@ std::vector<std::string> similar_names(std::string_view given, std::span<const s
   for (const std::string& name : names) {
     if (const std::optional<int> r = rank(given, name)) ranked.emplace_back(*r, name);
   }
-  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::stable_sort(ranked, [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> best;
   for (const auto& [r, name] : ranked) {
     // Only the best rank: behind a slip of one letter, what merely shares a word is no candidate.

@@ -6,8 +6,7 @@
 namespace umbrameter {
 
 std::size_t column_index(const Table& table, std::string_view name) {
-  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                  [&](const Column& column) { return column.name == name; });
+  const auto found = std::ranges::find(table.columns, name, &Column::name);
   if (found == table.columns.end()) throw std::out_of_range("no column " + std::string(name));
   return static_cast<std::size_t>(found - table.columns.begin());
 }

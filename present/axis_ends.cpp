@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/lists.h"
 #include "results/number_text.h"
 
 namespace umbrameter {
@@ -16,20 +17,18 @@ namespace {
 constexpr std::size_t max_rows = 200;
 
 std::vector<double> numbers_of(const SweepAxis& axis) {
-  std::vector<double> numbers;
-  for (const Value& value : axis.values) numbers.push_back(to_number(value));
-  return numbers;
+  return mapped(axis.values, [](const Value& value) { return to_number(value); });
 }
 
 std::size_t index_in(const SweepAxis& axis, const Value& value) {
-  return static_cast<std::size_t>(std::find(axis.values.begin(), axis.values.end(), value) - axis.values.begin());
+  return static_cast<std::size_t>(std::ranges::find(axis.values, value) - axis.values.begin());
 }
 
 // The value next to an end of the axis, towards its middle.
 std::size_t neighbour_of_end(const std::vector<double>& numbers, std::size_t end) {
   std::vector<std::size_t> order(numbers.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
   return order.front() == end ? order[1] : order[order.size() - 2];
 }
 
@@ -44,7 +43,7 @@ std::optional<double> error_at(const SweepResults& sweep, std::size_t cell) {
 
 AxisEnd end_of(std::span<const double> values, double value, const FieldDescription& limits) {
   if (values.size() < 2) return AxisEnd::none;
-  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  const auto [least, largest] = std::ranges::minmax_element(values);
   if (value == *least && value != 0.0 && value > limits.min) return AxisEnd::lower;
   if (value == *largest && value != 0.0 && value < limits.max) return AxisEnd::upper;
   return AxisEnd::none;
@@ -62,13 +61,13 @@ std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best
     for (std::size_t a = 0; a < plan.axes.size(); ++a) {
       const SweepAxis& axis = plan.axes[a];
       const Parameter& parameter = require(sweep.parameters, axis.key);
-      const bool is_listed = std::find(listed_axes.begin(), listed_axes.end(), a) != listed_axes.end();
+      const bool is_listed = std::ranges::find(listed_axes, a) != listed_axes.end();
       if (is_listed || !parameter.is_number()) continue;
       const std::vector<double> numbers = numbers_of(axis);
       AxisEnd end = end_of(numbers, to_number(row[a]), parameter.description);
       // A constant bias may be negative: where another bias is too large, it has to be.
       if (axis.key == constant_bias_key && to_number(row[a]) == 0.0 && numbers.size() > 1) {
-        const auto [least, largest] = std::minmax_element(numbers.begin(), numbers.end());
+        const auto [least, largest] = std::ranges::minmax_element(numbers);
         end = *least == 0.0 ? AxisEnd::lower : *largest == 0.0 ? AxisEnd::upper : AxisEnd::none;
       }
       if (end == AxisEnd::none) continue;
@@ -92,9 +91,9 @@ std::vector<std::string> to_lines(const std::vector<OpenEnd>& ends) {
   std::vector<OpenEnd> seen;
   for (const OpenEnd& first : ends) {
     const auto is_same = [&](const OpenEnd& e) { return e.axis == first.axis && e.end == first.end; };
-    if (std::any_of(seen.begin(), seen.end(), is_same)) continue;
+    if (std::ranges::any_of(seen, is_same)) continue;
     seen.push_back(first);
-    const auto count = std::count_if(ends.begin(), ends.end(), is_same);
+    const auto count = std::ranges::count_if(ends, is_same);
     const bool has_setting = !first.setting.empty();
     const std::string where = !has_setting ? ""
                               : count == 1 ? " for " + first.setting

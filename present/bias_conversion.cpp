@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/lists.h"
 #include "reports/files/text_layout.h"
 #include "results/number_text.h"
 
@@ -69,17 +70,15 @@ std::vector<std::string> unit_lines(const ConvertedBias& bias) {
   for (std::size_t i = 0; i < engine.numbers.size(); ++i) {
     const BiasNumber& number = engine.numbers[i];
     if (engine.is_unit || number.term == BiasTerm::slope || bias.source.numbers[i] == 0.0) continue;
-    std::vector<std::string> metres;
-    for (const MapPlace& place : bias.source_places) {
-      metres.push_back(table_number(number.per_unit(place, bias.source.settings).value_or(0.0)) + " m");
-    }
-    std::string text = metres.front();
-    if (std::ranges::count(metres, text) < std::ssize(metres)) {
-      text.clear();
-      for (std::size_t p = 0; p < metres.size(); ++p) {
-        text += fmt::format("{}{} at the {}", text.empty() ? "" : ", ", metres[p], bias.source_places[p].name);
-      }
-    }
+    const auto metres = [&](const MapPlace& place) {
+      return table_number(number.per_unit(place, bias.source.settings).value_or(0.0)) + " m";
+    };
+    const std::vector<MapPlace>& places = bias.source_places;
+    const std::string first = metres(places.front());
+    const bool are_equal = std::ranges::all_of(places, [&](const MapPlace& place) { return metres(place) == first; });
+    const std::string text = are_equal ? first : joined(places, ", ", [&](const MapPlace& place) {
+      return metres(place) + " at the " + place.name;
+    });
     lines.push_back(fmt::format("one unit of {} is {}: {}", number.name, text, number.formula));
   }
   return lines;
@@ -312,7 +311,6 @@ std::vector<std::string> to_lines(const ConvertedBias& bias) {
 
 std::vector<std::string> conversion_notes(const ConvertedBias& bias) {
   std::vector<std::string> notes;
-  std::string left_out;
   const auto add_engine = [&](const BiasSpec& spec, const std::vector<MapPlace>& places) {
     const BiasEngine& engine = *spec.engine;
     add_engine_notes(spec, is_lamp(places.front()), notes);
@@ -327,14 +325,15 @@ std::vector<std::string> conversion_notes(const ConvertedBias& bias) {
     if (target.spec.engine != bias.source.engine) add_engine(target.spec, target.places);
     add_number_notes(target, false, notes);
   }
+  std::vector<std::string_view> left_out;
   for (const BiasEngine& engine : bias_engines()) {
-    const bool is_left_out = bias.takes_all && engine.no_numbers.empty() && &engine != bias.source.engine &&
-                             std::ranges::none_of(bias.targets, [&](const ConvertedTarget& target) {
-                               return target.spec.engine == &engine;
-                             });
-    if (is_left_out) left_out += (left_out.empty() ? "" : ", ") + std::string(engine.name);
+    const bool is_target =
+        std::ranges::any_of(bias.targets, [&](const ConvertedTarget& target) { return target.spec.engine == &engine; });
+    if (engine.no_numbers.empty() && &engine != bias.source.engine && !is_target) left_out.push_back(engine.name);
   }
-  if (!left_out.empty()) notes.push_back("no number for any part of this bias: " + left_out);
+  if (bias.takes_all && !left_out.empty()) {
+    notes.push_back("no number for any part of this bias: " + joined(left_out, ", "));
+  }
   return notes;
 }
 
@@ -380,10 +379,9 @@ std::string bias_engines_markdown() {
   text += "\n| engine | settings | besides | source | not verified |\n| --- | --- | --- | --- | --- |\n";
   for (const BiasEngine& engine : bias_engines()) {
     if (engine.source.empty()) continue;
-    std::string settings;
-    for (const BiasSetting& setting : engine.settings) {
-      settings += fmt::format("{}`{}`: {}", settings.empty() ? "" : "; ", setting.name, setting.meaning);
-    }
+    const std::string settings = joined(engine.settings, "; ", [](const BiasSetting& setting) {
+      return fmt::format("`{}`: {}", setting.name, setting.meaning);
+    });
     const std::string besides = fmt::format(
         "{}{}{}", engine.note, engine.note.empty() || engine.note_of_lamps.empty() ? "" : "; ", engine.note_of_lamps);
     text += fmt::format("| `{}`: {} | {} | {} | {} | {} |\n", engine.name, engine.title, settings, besides,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/lists.h"
 #include "present/plot_axes.h"
 #include "present/presentation_parts.h"
 
@@ -52,10 +53,9 @@ struct Drawing {
 };
 
 const BiasCurve* curve_at(const Drawing& drawing, std::size_t line) {
-  std::vector<Value> wanted;
-  for (const std::size_t a : outer_axes_as_given(drawing.plan())) {
-    wanted.push_back(a == drawing.part.line_axis ? drawing.line_value(line) : drawing.part.values[a]);
-  }
+  const std::vector<Value> wanted = mapped(outer_axes_as_given(drawing.plan()), [&](const std::size_t a) {
+    return a == drawing.part.line_axis ? drawing.line_value(line) : drawing.part.values[a];
+  });
   for (const BiasCurve& curve : drawing.curves.curves) {
     if (curve.others == wanted) return &curve;
   }
@@ -63,9 +63,7 @@ const BiasCurve* curve_at(const Drawing& drawing, std::size_t line) {
 }
 
 std::vector<Column> plain_columns(std::initializer_list<const char*> names) {
-  std::vector<Column> columns;
-  for (const char* name : names) columns.push_back({name, "", ""});
-  return columns;
+  return mapped(names, [](const char* name) { return Column{name, "", ""}; });
 }
 
 PlotFigure make_plot(const Drawing& drawing, const char* stem, const char* title, Axis x, Axis y) {
@@ -84,8 +82,8 @@ PlotFigure make_plot(const Drawing& drawing, const char* stem, const char* title
 
 // A bias below 0 would have no place.
 bool suits_logarithm(const std::vector<double>& values) {
-  return std::none_of(values.begin(), values.end(), [](double v) { return v < 0.0; }) &&
-         std::count_if(values.begin(), values.end(), [](double v) { return v > 0.0; }) > 1;
+  return std::ranges::none_of(values, [](double v) { return v < 0.0; }) &&
+         std::ranges::count_if(values, [](double v) { return v > 0.0; }) > 1;
 }
 
 Axis constant_axis(const Drawing& drawing) {
@@ -98,8 +96,8 @@ ChartCells cells_of(const Drawing& drawing, const std::string& stem,
                     std::vector<std::pair<std::string, std::string>> columns) {
   ChartCells cells{stem, std::move(columns), {}};
   const SweepPlan& plan = drawing.plan();
-  const bool has_slope = std::any_of(cells.columns.begin(), cells.columns.end(),
-                                     [&](const auto& each) { return each.second == drawing.slope_key; });
+  const bool has_slope =
+      std::ranges::any_of(cells.columns, [&](const auto& each) { return each.second == drawing.slope_key; });
   const bool is_front = cells.columns.front().second == cause_names[static_cast<std::size_t>(Cause::acne)];
   for (const std::size_t a : outer_axes_as_given(plan)) {
     if (a == drawing.part.line_axis) continue;
@@ -130,7 +128,7 @@ Table read_lines(const Drawing& drawing, const std::vector<std::string>& columns
 
 bool has_zero(const Drawing& drawing) {
   const std::vector<double>& values = drawing.plan().constant_bias.values;
-  return std::find(values.begin(), values.end(), 0.0) != values.end();
+  return std::ranges::find(values, 0.0) != values.end();
 }
 
 // Two causes in one figure, the first solid, the second dashed.
@@ -219,7 +217,7 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
   std::set<std::size_t> shown(biases.indices.begin(), biases.indices.end());
   std::set<std::size_t> shown_slopes(slopes.indices.begin(), slopes.indices.end());
   const auto index_in = [](const std::vector<double>& values, double value) {
-    return static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
+    return static_cast<std::size_t>(std::ranges::find(values, value) - values.begin());
   };
   for (const std::size_t line : lines.indices) {
     const std::optional<BiasCell> least = least_of(line);
@@ -321,7 +319,7 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
   for (const std::size_t a : still_axes(plan, line_axis)) parts *= plan.axes[a].values.size();
   const std::vector<double>& slopes = plan.slope_bias.values;
   const auto flattest_slope =
-      std::min_element(slopes.begin(), slopes.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+      std::ranges::min_element(slopes, [](double a, double b) { return std::abs(a) < std::abs(b); });
   const std::size_t before = presentation.figures.size();
   const auto is_room = [&] { return presentation.figures.size() < before + most; };
   for (std::size_t i = 0; i < parts && is_room(); ++i) {

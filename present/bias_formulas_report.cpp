@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/lists.h"
 #include "present/bias_formulas.h"
 #include "present/summary.h"
 #include "reports/files/value_json.h"
@@ -51,17 +52,13 @@ std::string points_text(const CurveFormula& of) {
   return fmt::format("{} points, of which {} are independent", of.points.size(), independent);
 }
 
-std::string names_of(const std::vector<Column>& columns) {
-  std::string names;
-  for (const Column& column : columns) names += (names.empty() ? "" : ", ") + column.name;
-  return names;
-}
+std::string names_of(const std::vector<Column>& columns) { return joined(columns, ", ", &Column::name); }
 
 // Of terms that no formula has.
 void drop_empty_columns(Table& table) {
   for (std::size_t c = table.columns.size(); c-- > 0;) {
     const auto is_empty = [&](const std::vector<Value>& row) { return row[c] == empty_cell; };
-    if (!std::all_of(table.rows.begin(), table.rows.end(), is_empty)) continue;
+    if (!std::ranges::all_of(table.rows, is_empty)) continue;
     const auto place = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + place);
     for (std::vector<Value>& row : table.rows) row.erase(row.begin() + place);
@@ -132,8 +129,7 @@ std::vector<std::string> remarks_on(std::span<const CurveFormula* const> formula
   std::vector<std::pair<std::string, std::string>> lines;  // remark, names
   for (const CurveFormula* of : formulas) {
     for (const std::string& warning : remarks_of(*of)) {
-      const auto found =
-          std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.first == warning; });
+      const auto found = std::ranges::find_if(lines, [&](const auto& line) { return line.first == warning; });
       if (found == lines.end()) {
         lines.emplace_back(warning, name_of(*of));
       } else {
@@ -286,8 +282,7 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
                             formulas_table(curves),
                             {"left out", "error of c0", "error for Δz", "error for r·Δz", "error for δ",
                              "residual in texels", "largest residual"}});
-  std::vector<const CurveFormula*> all;
-  for (const CurveFormula& of : curves.formulas) all.push_back(&of);
+  const std::vector<const CurveFormula*> all = mapped(curves.formulas, [](const CurveFormula& of) { return &of; });
   const std::string symbols = symbols_text(all);
   section.text += fmt::format(
       "\n\nThe table 'Formulas of the bias' fits the bias over {} by {}. {}{}Use a formula only within the range that "

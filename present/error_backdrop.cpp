@@ -15,7 +15,7 @@ namespace {
 Image<std::uint8_t> backdrop_of(const LayeredImage& layers) {
   const std::array<const Image<float>*, 4> rgba = {find_channel(layers, "R"), find_channel(layers, "G"),
                                                    find_channel(layers, "B"), find_channel(layers, "A")};
-  if (std::find(rgba.begin(), rgba.end(), nullptr) != rgba.end()) return {};
+  if (std::ranges::find(rgba, nullptr) != rgba.end()) return {};
   Image<std::uint8_t> grey(rgba[0]->width, rgba[0]->height);
   for (std::size_t i = 0; i < grey.size(); ++i) {
     const bool is_surface = (*rgba[3])[i] > 0.0f;

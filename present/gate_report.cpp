@@ -106,8 +106,7 @@ const std::vector<std::string> header = {
 }  // namespace
 
 std::size_t count_failed(const std::vector<GateCheck>& checks) {
-  return static_cast<std::size_t>(
-      std::count_if(checks.begin(), checks.end(), [](const GateCheck& check) { return !check.is_kept; }));
+  return static_cast<std::size_t>(std::ranges::count_if(checks, [](const GateCheck& check) { return !check.is_kept; }));
 }
 
 std::string gate_answer(const std::vector<GateCheck>& checks) {

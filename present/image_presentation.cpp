@@ -97,8 +97,9 @@ Presentation present_image(const SceneFacts& scene, const LayeredImage& layers, 
   add_layer_figure(presentation, layers, Layer::raster_image, {}, "The technique's image", path_text(experiment) + ".",
                    exposure);
   const std::string warning = exposure_warning(layers, image);
-  const bool has_volumes = image.raster && std::any_of(image.raster->counters.begin(), image.raster->counters.end(),
-                                                       [](const LightCounters& c) { return c != LightCounters{}; });
+  const bool has_volumes = image.raster && std::ranges::any_of(image.raster->counters, [](const LightCounters& c) {
+                             return c != LightCounters{};
+                           });
   if (has_volumes) section.tables.push_back(counters_table(scene, image));
   if (!image.statistics) {
     presentation.answers.push_back(fmt::format("image: {} light{}, {}", image.lights.size(),

@@ -17,7 +17,7 @@ constexpr const char* picture_name = "picture";
 std::string group_of(const NamedLayer& layer, const SceneFacts& scene) {
   switch (layer.description->subject) {
     case LayerSubject::light: {
-      const auto found = std::find(scene.layers.begin(), scene.layers.end(), layer.light);
+      const auto found = std::ranges::find(scene.layers, layer.light);
       return found != scene.layers.end() ? scene.title(static_cast<std::uint32_t>(found - scene.layers.begin()))
                                          : layer.light;
     }

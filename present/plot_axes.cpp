@@ -20,7 +20,7 @@ bool is_logarithmic(const SweepAxis& axis) {
     if (!std::holds_alternative<double>(value) && !std::holds_alternative<std::int64_t>(value)) return false;
     values.push_back(to_number(value));
   }
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   if (values.size() < 2 || values.front() <= 0.0) return false;
   if (axis.text.ends_with(":log") || axis.key.ends_with("resolution")) return true;
   constexpr double slack = 0.01;  // of a ratio: lists are written with few digits

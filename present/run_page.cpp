@@ -119,7 +119,7 @@ ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment
   std::vector<std::size_t> numbers = thin(cells.count, max_table_cells).indices;
   if (numbers.size() < cells.count) {
     for (const PageCell& cell : shown) numbers.push_back(cell.cell.number);
-    std::sort(numbers.begin(), numbers.end());
+    std::ranges::sort(numbers);
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     cells.numbers = numbers;
   }

@@ -132,8 +132,7 @@ Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const C
   for (std::size_t run = first_run; run < runs.size(); ++run) {
     std::vector<Value> row = {runs[run].name};
     for (const ComparedStatistic* each : errors) {
-      const auto found = std::find_if(each->values.begin(), each->values.end(),
-                                      [&](const ComparedValue& value) { return value.run == run; });
+      const auto found = std::ranges::find(each->values, run, &ComparedValue::run);
       row.emplace_back(found == each->values.end() ? "—" : text(*found));
     }
     table.rows.push_back(std::move(row));

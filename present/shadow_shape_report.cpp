@@ -82,9 +82,8 @@ Table component_table(const ErrorShape& shape) {
 
 Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& casters) {
   std::vector<CasterShape> listed = casters;
-  std::stable_sort(listed.begin(), listed.end(), [](const CasterShape& a, const CasterShape& b) {
-    return a.contacts + a.edges > b.contacts + b.edges;
-  });
+  std::ranges::stable_sort(
+      listed, [](const CasterShape& a, const CasterShape& b) { return a.contacts + a.edges > b.contacts + b.edges; });
   if (listed.size() > max_casters) listed.resize(max_casters);
   const std::string gap = "lit strip between the foot of the caster and its shadow, ";
   const std::string inset =

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/lists.h"
 #include "present/plot_axes.h"
 #include "present/presentation_parts.h"
 #include "results/known_statistics.h"
@@ -32,7 +33,7 @@ struct Layout {
 Layout lay_out(const Parameters& parameters, const std::vector<SweepAxis>& axes) {
   std::vector<std::size_t> order;
   for (std::size_t a = 0; a < axes.size(); ++a) order.push_back(a);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     const bool number_a = require(parameters, axes[a].key).is_number();
     const bool number_b = require(parameters, axes[b].key).is_number();
     if (number_a != number_b) return number_a;
@@ -73,7 +74,7 @@ PlotCells cells_of_plot(const SweepPlan& plan, const Layout& layout, std::size_t
     const std::size_t of_line = first + (layout.series ? line * plan.strides[*layout.series] : 0);
     for (const std::size_t point : points.indices) plot.cells.push_back(of_line + point * plan.strides[layout.x]);
   }
-  std::sort(plot.cells.begin(), plot.cells.end());
+  std::ranges::sort(plot.cells);
   if (layout.series) plot.caption += thinning_text(lines, plan.axes[*layout.series].key);
   plot.caption += thinning_text(points, plan.axes[layout.x].key);
   return plot;
@@ -101,8 +102,8 @@ PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const Plot
     names.push_back(*plot.upper);
   }
   plot.data = sweep.store.rows(cells.cells, names);
-  const bool is_metric = std::any_of(sweep.metrics.begin(), sweep.metrics.end(),
-                                     [&](const MetricColumn& column) { return column.name == statistic.name; });
+  const bool is_metric =
+      std::ranges::any_of(sweep.metrics, [&](const MetricColumn& column) { return column.name == statistic.name; });
   if (is_metric) return plot;
   for (std::vector<Value>& row : plot.data.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -197,7 +198,7 @@ std::string row_text(const std::vector<SweepAxis>& axes, const std::vector<Value
     for (const Value& value : axis.values) {
       if (number != nullptr) values.push_back(to_number(value));
     }
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     const int digits = number != nullptr ? digits_on_axis(values, *number) : 0;
     if (number != nullptr && axis.unit == "m") {
       text += metres_text(*number, digits);
@@ -239,8 +240,7 @@ bool are_all_equal(const SweepResults& sweep) {
 }
 
 std::string equal_cells_text(const SweepResults& sweep, const std::string& error) {
-  std::string keys;
-  for (const SweepAxis& axis : sweep.plan.axes) keys += (keys.empty() ? "" : ", ") + axis.key;
+  const std::string keys = joined(sweep.plan.axes, ", ", &SweepAxis::key);
   return fmt::format("all {} cells are equal: error {}; {} {} nothing here", sweep.plan.cells, error, keys,
                      sweep.plan.axes.size() > 1 ? "change" : "changes");
 }
@@ -248,8 +248,8 @@ std::string equal_cells_text(const SweepResults& sweep, const std::string& error
 }  // namespace
 
 Table best_rows(const SweepResults& sweep) {
-  std::vector<std::string> keys;
-  for (const std::size_t a : listed_axes(sweep)) keys.push_back(sweep.plan.axes[a].key);
+  const std::vector<std::string> keys =
+      mapped(listed_axes(sweep), [&](const std::size_t a) { return sweep.plan.axes[a].key; });
   return sweep.store.least(std::string(error_statistic), keys, max_best_rows);
 }
 

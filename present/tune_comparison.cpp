@@ -78,7 +78,7 @@ std::vector<std::string> ranking_lines(const TuneSummary& summary) {
       if (compared.axis == a) points.push_back(&compared);
     }
     if (points.empty()) continue;
-    std::stable_sort(points.begin(), points.end(), [](const ComparedPoint* one, const ComparedPoint* other) {
+    std::ranges::stable_sort(points, [](const ComparedPoint* one, const ComparedPoint* other) {
       return is_better(one->point.score, other->point.score);
     });
     std::string line = name_of(summary.axes[a]) + ": ";

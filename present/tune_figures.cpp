@@ -55,8 +55,7 @@ PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan) {
 }
 
 PlotFigure search_figure(const TuneSummary& summary) {
-  const auto words =
-      std::find_if(summary.axes.begin(), summary.axes.end(), [](const TuneAxis& axis) { return axis.is_word(); });
+  const auto words = std::ranges::find_if(summary.axes, [](const TuneAxis& axis) { return axis.is_word(); });
   const bool has_words = words != summary.axes.end();
   const auto axis = static_cast<std::size_t>(words - summary.axes.begin());
   PlotFigure plot;

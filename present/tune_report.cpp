@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/lists.h"
 #include "present/axis_ends.h"
 #include "present/plateau_text.h"
 #include "present/plot_axes.h"
@@ -152,8 +153,7 @@ std::string constraint_line(const TuneSummary& summary) {
 // The plateau of the constant bias, by the rule of every command.
 std::string bias_range_text(const TuneSummary& summary) {
   const BiasPlateau& plateau = *summary.result.plateau;
-  const auto axis = std::find_if(summary.axes.begin(), summary.axes.end(),
-                                 [](const TuneAxis& each) { return each.key() == constant_bias_key; });
+  const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
   std::string text = "constant-bias: " +
                      range_text(plateau, axis->axis.length_unit, "cost", cost_text(summary.goal, plateau.least.mae));
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
@@ -163,11 +163,8 @@ std::string bias_range_text(const TuneSummary& summary) {
 
 std::string method_text(const TuneSummary& summary) {
   const TuneResult& result = summary.result;
-  const auto counted = [](std::size_t count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-  };
-  return fmt::format("Search: {}; {} of {}{}.", result.method, counted(result.evaluations, "evaluation"),
-                     counted(summary.cases.size(), "case"),
+  return fmt::format("Search: {}; {} of {}{}.", result.method, count_text(result.evaluations, "evaluation"),
+                     count_text(summary.cases.size(), "case"),
                      result.stopped_by.empty() ? "" : ", stopped after " + result.stopped_by);
 }
 
@@ -177,8 +174,7 @@ bool have_equal_scores(const TunePoint& a, const TunePoint& b) {
 
 std::string equal_points_text(const TuneSummary& summary) {
   const TuneResult& result = summary.result;
-  std::string keys;
-  for (const TuneAxis& axis : summary.axes) keys += (keys.empty() ? "" : ", ") + axis.key();
+  const std::string keys = joined(summary.axes, ", ", &TuneAxis::key);
   return fmt::format("all {} evaluated points are equal: {} {}; {} {} nothing here",
                      std::max(result.points.size(), result.curve.size()), cost_words(summary.goal),
                      cost_text(summary.goal, result.best.score.cost), keys,
@@ -273,14 +269,12 @@ std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<Tune
   };
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    bool is_dominated = std::any_of(values[i].begin(), values[i].end(), [](double v) { return std::isnan(v); });
+    bool is_dominated = std::ranges::any_of(values[i], [](double v) { return std::isnan(v); });
     for (std::size_t j = 0; j < points.size() && !is_dominated; ++j) is_dominated = j != i && dominates(j, i);
     if (!is_dominated) kept.push_back(i);
   }
-  std::sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<TunePoint> front;
-  for (const std::size_t i : kept) front.push_back(points[i]);
-  return front;
+  std::ranges::sort(kept, [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  return mapped(kept, [&](const std::size_t i) { return points[i]; });
 }
 
 std::vector<std::string> end_warnings(const TuneSummary& summary) {
@@ -297,12 +291,10 @@ std::vector<std::string> end_warnings(const TuneSummary& summary) {
       continue;
     // Where the cost does not depend on the parameter, any value is as good.
     const std::vector<TunePoint>& scanned = summary.result.scans[a].points;
-    const bool matters = std::any_of(scanned.begin(), scanned.end(), [&](const TunePoint& point) {
-      return is_better(summary.result.best.score, point.score);
-    });
+    const bool matters = std::ranges::any_of(
+        scanned, [&](const TunePoint& point) { return is_better(summary.result.best.score, point.score); });
     if (!matters) continue;
-    std::vector<double> ends;
-    for (const Value& each : axis.axis.values) ends.push_back(to_number(each));
+    const std::vector<double> ends = mapped(axis.axis.values, [](const Value& each) { return to_number(each); });
     const double end = to_number(position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());
     const AxisEnd at = end_of(ends, end, require(parameters, axis.key()).description);
     if (at == AxisEnd::none) continue;

@@ -61,7 +61,7 @@ class AreaTileTracer {
         const AdaptiveSampleCount& s = pixels_[static_cast<std::size_t>(i)].sample_count;
         return std::tuple(s.is_pilot(), s.next().begin, s.next().split.points);
       };
-      std::stable_sort(pending_.begin(), pending_.end(), [&](int a, int b) { return work(a) < work(b); });
+      std::ranges::stable_sort(pending_, [&](int a, int b) { return work(a) < work(b); });
       for (std::size_t first = 0; first < pending_.size();) {
         std::size_t last = first;
         while (last < pending_.size() && last - first < packet_width && work(pending_[last]) == work(pending_[first])) {

@@ -86,7 +86,7 @@ class PixelTileTracer {
         }
       }
       trace_packet();
-      if (std::all_of(sums.begin(), sums.end(), [](const WeightedSums& s) { return s.all == 0.0; })) {
+      if (std::ranges::all_of(sums, [](const WeightedSums& s) { return s.all == 0.0; })) {
         trace_center(i, sums[0]);
       }
     } while (advance(sample_count, sums, sampling_.params));

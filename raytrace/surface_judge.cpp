@@ -38,8 +38,7 @@ class Judge {
         world_from_light_(glm::inverse(layout.light_from_world)) {
     const std::vector<Instance>& instances = tracer.scene().instances;
     const auto& masks = tracer.state().mesh_masks;
-    has_masks_ =
-        std::any_of(instances.begin(), instances.end(), [&](const auto& i) { return masks[i.mesh] != nullptr; });
+    has_masks_ = std::ranges::any_of(instances, [&](const auto& i) { return masks[i.mesh] != nullptr; });
   }
 
   // Continuity::seen is for receivers that are lit in the reference: the light sees the receiver, so if the sample is

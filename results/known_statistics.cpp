@@ -14,9 +14,8 @@ constexpr std::array<std::string_view, 3> kinds = {"shadow", "ao", "image"};
 
 // Shadows are described in several ways: too dark is a sum of causes for a hard one and an error for a soft one.
 void add(std::vector<KnownStatistic>& all, KnownStatistic statistic) {
-  const auto known = std::find_if(all.begin(), all.end(), [&](const KnownStatistic& each) {
-    return each.kind == statistic.kind && each.name == statistic.name;
-  });
+  const auto known = std::ranges::find_if(
+      all, [&](const KnownStatistic& each) { return each.kind == statistic.kind && each.name == statistic.name; });
   if (known == all.end()) {
     all.push_back(std::move(statistic));
   } else if (statistic.is_error && !known->is_error) {
@@ -103,7 +102,7 @@ std::vector<KnownStatistic> require_statistic(const StatisticName& name, const s
   for (const KnownStatistic& each : known_statistics()) {
     if (!name.kind.empty() && each.kind != name.kind) continue;
     if (each.name == name.name) found.push_back(each);
-    if (std::find(names.begin(), names.end(), each.name) == names.end()) names.push_back(each.name);
+    if (std::ranges::find(names, each.name) == names.end()) names.push_back(each.name);
   }
   if (!found.empty()) return found;
   names.insert(names.end(), more.begin(), more.end());

@@ -190,8 +190,7 @@ void move_to_layers(const SceneFacts& scene, Measurement& measurement) {
 }
 
 const Image<float>* find_channel(const LayeredImage& layers, std::string_view name) {
-  const auto found = std::find_if(layers.channels.begin(), layers.channels.end(),
-                                  [&](const Channel& channel) { return channel.name == name; });
+  const auto found = std::ranges::find(layers.channels, name, &Channel::name);
   return found == layers.channels.end() ? nullptr : &found->values;
 }
 

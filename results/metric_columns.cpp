@@ -29,9 +29,8 @@ std::vector<MetricColumn> columns_of(const Metric& metric, bool is_shadow) {
 std::vector<MetricColumn> metric_columns(const RunParams& run, bool is_shadow, const Statistics& described) {
   std::vector<MetricColumn> columns;
   const auto is_there = [&](const MetricColumn& column) {
-    return std::any_of(described.begin(), described.end(),
-                       [&](const auto& each) { return each.name == column.name; }) ||
-           std::any_of(columns.begin(), columns.end(), [&](const auto& each) { return each.name == column.name; });
+    return std::ranges::any_of(described, [&](const auto& each) { return each.name == column.name; }) ||
+           std::ranges::any_of(columns, [&](const auto& each) { return each.name == column.name; });
   };
   std::string names = run.metrics;  // of metrics, or of their columns
   if (const std::size_t at = names.find(uncorrected_rmse); at != std::string::npos) {

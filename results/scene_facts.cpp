@@ -10,8 +10,7 @@ namespace {
 std::string title_of(const std::vector<Light>& lights, std::size_t index) {
   const std::string& name = lights[index].name;
   if (name.empty()) return "light " + std::to_string(index);
-  const auto namesakes =
-      std::count_if(lights.begin(), lights.end(), [&](const Light& other) { return other.name == name; });
+  const auto namesakes = std::ranges::count_if(lights, [&](const Light& other) { return other.name == name; });
   return namesakes > 1 ? name + " (" + std::to_string(index) + ")" : name;
 }
 

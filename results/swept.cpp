@@ -41,14 +41,14 @@ SweptQuantity quantity_of(const CellStatistics& statistics) {
 }
 
 bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group) {
-  return std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& axis) { return axis.key.rfind(group, 0) == 0; });
+  return std::ranges::any_of(axes, [&](const SweepAxis& axis) { return axis.key.rfind(group, 0) == 0; });
 }
 
 SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& axes) {
   if (given == SweepMeasure::visibility) return SweptQuantity::visibility;
   if (given == SweepMeasure::ao) return SweptQuantity::ao;
   if (given == SweepMeasure::image || varies_group(axes, "shading.")) return SweptQuantity::image;
-  const bool ao = std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) {
+  const bool ao = std::ranges::any_of(axes, [](const SweepAxis& axis) {
     return axis.key.starts_with("ao.") || is_engine_ao(axis.key) ||
            (axis.key.starts_with("truth.") && axis.key != "truth.shadow");
   });

@@ -183,9 +183,9 @@ TuneScore score_of(const TuneGoal& goal, const std::vector<Value>& point, const 
 }
 
 bool is_magnitude(const TuneGoal& goal, std::size_t column) {
-  return std::any_of(goal.terms.begin(), goal.terms.end(),
-                     [&](const TuneTerm& term) { return term.column == column && term.is_magnitude; }) ||
-         std::any_of(goal.constraints.begin(), goal.constraints.end(), [&](const TuneConstraint& constraint) {
+  return std::ranges::any_of(goal.terms,
+                             [&](const TuneTerm& term) { return term.column == column && term.is_magnitude; }) ||
+         std::ranges::any_of(goal.constraints, [&](const TuneConstraint& constraint) {
            return !constraint.axis && constraint.column == column && constraint.condition.is_magnitude;
          });
 }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "core/suggestion.h"
 #include "scenes/builtin/scenes.h"
 #include "scenes/gltf.h"
@@ -65,12 +65,10 @@ std::optional<std::uint64_t> parsed_size(std::string_view text) {
     scale = text.back() == 'k' ? 1e3 : 1e6;
     text.remove_suffix(1);
   }
-  double number = 0.0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  const std::optional<double> number = parsed<double>(text);
   // Beyond this the conversion would overflow; no scene goes near it.
-  if (!(number > 0.0) || number * scale > 1e15) return std::nullopt;
-  return static_cast<std::uint64_t>(std::llround(number * scale));
+  if (!number || !(*number > 0.0) || *number * scale > 1e15) return std::nullopt;
+  return static_cast<std::uint64_t>(std::llround(*number * scale));
 }
 
 Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::string& size) {

@@ -114,8 +114,8 @@ void require_sense(const LightParams& params, std::span<const Light> lights) {
   const std::string why = objection(sizes);
   if (!why.empty())
     throw Error(ExitCode::usage, "light.*", "invalid light: " + why, "give one extent; 0 is none, -1 the scene's");
-  const bool any_directional = std::any_of(lights.begin(), lights.end(), is_directional);
-  const bool all_directional = std::all_of(lights.begin(), lights.end(), is_directional);
+  const bool any_directional = std::ranges::any_of(lights, is_directional);
+  const bool all_directional = std::ranges::all_of(lights, is_directional);
   if (sizes.angular_diameter && !any_directional) {
     throw Error(ExitCode::usage, "light.angle", "no measured light is directional",
                 "give point and spot lights a light.radius, or a light.width and light.height");
@@ -125,7 +125,7 @@ void require_sense(const LightParams& params, std::span<const Light> lights) {
                 "all measured lights are directional and cannot have a radius or a width", "set light.angle instead");
   }
   const bool any_radius =
-      std::any_of(lights.begin(), lights.end(), [](const Light& light) { return radius_of(light.emitter); });
+      std::ranges::any_of(lights, [](const Light& light) { return radius_of(light.emitter).has_value(); });
   if (sizes.shape != EmitterShape::usual && !sizes.radius && (sizes.has_lengths() || !any_radius)) {
     throw Error(ExitCode::usage, "light.shape", "it needs a radius", "set light.radius");
   }

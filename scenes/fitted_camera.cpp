@@ -35,8 +35,8 @@ dvec3 direction_of(double azimuth, double elevation) {
 // the places of points across the image and towards the camera, max + min of (across − shift) / (distance − towards) is
 // 0. It falls with the shift, so it is bisected.
 double balanced_shift(const std::array<double, 8>& across, const std::array<double, 8>& towards, double distance) {
-  double low = *std::min_element(across.begin(), across.end());
-  double high = *std::max_element(across.begin(), across.end());
+  double low = *std::ranges::min_element(across);
+  double high = *std::ranges::max_element(across);
   for (int step = 0; step < 60; ++step) {
     const double shift = 0.5 * (low + high);
     double max = -std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ Camera camera_around(const Bounds& bounds, const dvec3& direction, double aspect
     lower = glm::max(lower, -dvec2(local) + tangent * local.z);
     for (int c = 0; c < 3; ++c) corners[static_cast<std::size_t>(c)][i] = local[c];
   }
-  const double nearest = *std::max_element(corners[2].begin(), corners[2].end());
+  const double nearest = *std::ranges::max_element(corners[2]);
   const dvec2 needed = (upper + lower) / (2.0 * tangent);
   const double distance = std::max({needed.x, needed.y, nearest + 0.1 * radius});
   const dvec2 shift{balanced_shift(corners[0], corners[2], distance), balanced_shift(corners[1], corners[2], distance)};
@@ -109,8 +109,7 @@ void score(std::vector<Candidate>& candidates, bool any_is_lit) {
 }
 
 bool any_is_lit(const std::vector<Candidate>& candidates) {
-  return std::any_of(candidates.begin(), candidates.end(),
-                     [](const Candidate& candidate) { return candidate.content.lit > 0.0; });
+  return std::ranges::any_of(candidates, [](const Candidate& candidate) { return candidate.content.lit > 0.0; });
 }
 
 void judge(std::vector<Candidate>& candidates, const TriangleSample& sample, double aspect) {
@@ -141,7 +140,7 @@ Bounds middle_part(const TriangleSample& sample) {
       const auto& [a, b, c] = triangle.corners;
       places.emplace_back((static_cast<double>(a[axis]) + b[axis] + c[axis]) / 3.0, triangle.weight);
     }
-    std::sort(places.begin(), places.end());
+    std::ranges::sort(places);
     double before = 0.0;
     bool is_begun = false;
     for (const auto& [place, weight] : places) {

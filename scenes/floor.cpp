@@ -91,7 +91,7 @@ bool has_floor(const Scene& scene) {
     const dvec3 extent = boxes[i].extent();
     parts.push_back({&scene.instances[i], extent.x * extent.z});
   }
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.area > b.area; });
+  std::ranges::stable_sort(parts, [](const Part& a, const Part& b) { return a.area > b.area; });
   Plan plan(bounds);
   for (const Part& part : parts) {
     const Instance& instance = *part.instance;

@@ -121,14 +121,8 @@ float to_float(const unsigned char* bytes, int type, bool normalized) {
 }
 
 std::uint32_t to_index(const unsigned char* bytes, int type) {
-  switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return *bytes;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return load<std::uint16_t>(bytes);
-    default:
-      return load<std::uint32_t>(bytes);
-  }
+  if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return *bytes;
+  return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? load<std::uint16_t>(bytes) : load<std::uint32_t>(bytes);
 }
 
 void require_unsigned(int type, const Document& document, const std::string& object) {

@@ -234,7 +234,7 @@ std::pair<int, int> numbers_of(const std::string& version) {
 
 // glTF 1.0 keeps its things in objects, by name, and does not require the version.
 bool is_version_1(const json& root) {
-  return std::any_of(std::begin(dictionaries_of_version_1), std::end(dictionaries_of_version_1), [&](const char* key) {
+  return std::ranges::any_of(dictionaries_of_version_1, [&](const char* key) {
     const auto found = root.find(key);
     return found != root.end() && found->is_object();
   });
@@ -243,7 +243,7 @@ bool is_version_1(const json& root) {
 }  // namespace
 
 bool is_supported(std::string_view extension) {
-  return std::find(supported_extensions.begin(), supported_extensions.end(), extension) != supported_extensions.end();
+  return std::ranges::find(supported_extensions, extension) != supported_extensions.end();
 }
 
 json parse_text(std::string_view text, Allowance& allowance, const Path& path) {

@@ -20,7 +20,7 @@ struct Extras {
   const tinygltf::Value* find(const EmitterKey& key, std::initializer_list<EmitterKey> rivals) const {
     if (of_node.Has(key.name)) return &of_node.Get(key.name);
     const bool is_ruled_out =
-        std::any_of(rivals.begin(), rivals.end(), [&](const EmitterKey& rival) { return of_node.Has(rival.name); });
+        std::ranges::any_of(rivals, [&](const EmitterKey& rival) { return of_node.Has(rival.name); });
     return of_light.Has(key.name) && !is_ruled_out ? &of_light.Get(key.name) : nullptr;
   }
   std::optional<double> number(const EmitterKey& key, std::initializer_list<EmitterKey> rivals) const {

@@ -212,7 +212,7 @@ std::string objection_to_uri(const std::filesystem::path& scene_path, const std:
   if (uri.starts_with("data:")) return "";
   const std::string decoded = decoded_path(uri);
   const std::filesystem::path relative(decoded);
-  const bool climbs = std::any_of(relative.begin(), relative.end(), [](const auto& part) { return part == ".."; });
+  const bool climbs = std::ranges::any_of(relative, [](const auto& part) { return part == ".."; });
   if (decoded.empty() || decoded.find('\0') != std::string::npos || has_scheme(decoded) || relative.is_absolute() ||
       climbs) {
     return "its reference '" + uri.substr(0, 200) + "' leaves the folder of the scene";
@@ -256,7 +256,7 @@ std::vector<std::filesystem::path> umbrameter::files_of_gltf(const std::filesyst
     const std::string objection = objection_to_uri(path, *uri);
     if (!objection.empty()) fail(path, "", objection, "keep the file beside the scene");
     const std::filesystem::path file = std::filesystem::path(decoded_path(*uri)).lexically_normal();
-    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    if (std::ranges::find(files, file) == files.end()) files.push_back(file);
   };
   for (const BufferSource& buffer : document.buffers) {
     if (!buffer.is_fallback) add(buffer.uri);

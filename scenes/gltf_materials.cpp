@@ -106,9 +106,8 @@ void read_specular(const Value& source, Material& material, TextureReferences& t
 TextureReferences read_metallic_roughness(const tinygltf::PbrMetallicRoughness& source, Material& material,
                                           const Document& document, const std::string& object) {
   const std::vector<double>& color = source.baseColorFactor;
-  const bool usable = std::all_of(color.begin(), color.end(), [](double value) {
-    return std::isfinite(static_cast<float>(value)) && value >= 0.0;
-  });
+  const bool usable =
+      std::ranges::all_of(color, [](double value) { return std::isfinite(static_cast<float>(value)) && value >= 0.0; });
   if (!usable) fail(document.path, object, "its baseColorFactor is not of finite numbers of at least 0");
   for (int i = 0; i < 4; ++i) material.base_color[i] = static_cast<float>(color[static_cast<std::size_t>(i)]);
   material.metallic = std::clamp(static_cast<float>(source.metallicFactor), 0.0f, 1.0f);

@@ -26,7 +26,7 @@ dmat4 turned(const dvec4& q) {
 // glTF 2.0, section 3.5.3: a matrix, or scale, then rotation, then translation.
 dmat4 local_transform(const tinygltf::Node& node, const Document& document, const std::string& object) {
   const auto numbers = [&](const std::vector<double>& given, std::size_t size, const char* what) {
-    const bool finite = std::all_of(given.begin(), given.end(), [](double value) { return std::isfinite(value); });
+    const bool finite = std::ranges::all_of(given, [](double value) { return std::isfinite(value); });
     if (!given.empty() && (given.size() != size || !finite)) {
       fail(document.path, object, std::string("its ") + what + " is not " + std::to_string(size) + " finite numbers");
     }
@@ -170,7 +170,7 @@ std::vector<Placed> place_nodes(const Document& document, const std::string& par
   // Without scenes every node belongs to the one that there is; those of a cycle, and below it, have no root to be
   // reached from.
   if (model.scenes.empty() && placed.size() < model.nodes.size()) {
-    const auto left = static_cast<std::size_t>(std::find(visited.begin(), visited.end(), 0) - visited.begin());
+    const auto left = static_cast<std::size_t>(std::ranges::find(visited, 0) - visited.begin());
     const std::size_t index = on_cycle_above(model, left);
     fail(document.path, label("node", index, model.nodes[index].name),
          "it is its own ancestor: nodes must form a tree without cycles");

@@ -42,9 +42,8 @@ BufferSource buffer_source(json& item) {
   }
   // A fallback buffer may carry bytes for readers without the extension; they are not needed here.
   const auto extensions = item.find("extensions");
-  source.is_fallback =
-      extensions != item.end() && std::any_of(std::begin(meshopt_names), std::end(meshopt_names),
-                                              [&](const char* name) { return extensions->contains(name); });
+  source.is_fallback = extensions != item.end() &&
+                       std::ranges::any_of(meshopt_names, [&](const char* name) { return extensions->contains(name); });
   return source;
 }
 

@@ -47,8 +47,7 @@ constexpr std::array<std::string_view, 28> harmless_extensions = {"ADOBE_materia
                                                                   "VRM"};
 
 bool is_harmless(const std::string& extension) {
-  return std::any_of(harmless_extensions.begin(), harmless_extensions.end(),
-                     [&](std::string_view start) { return extension.starts_with(start); });
+  return std::ranges::any_of(harmless_extensions, [&](std::string_view start) { return extension.starts_with(start); });
 }
 
 void check_extensions(const Document& document, std::vector<std::string>& notes) {
@@ -67,7 +66,7 @@ void check_extensions(const Document& document, std::vector<std::string>& notes)
   }
   std::vector<std::string> used = document.model->extensionsUsed;
   for (const std::string& name : document.model->extensionsRequired) {
-    if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+    if (std::ranges::find(used, name) == used.end()) used.push_back(name);
   }
   if (const std::string unused = list(used, is_unknown); !unused.empty()) {
     notes.push_back("extensions without effect here: " + unused);

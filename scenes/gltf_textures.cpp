@@ -10,14 +10,8 @@ namespace umbrameter::gltf {
 namespace {
 
 Wrap to_wrap(int wrap) {
-  switch (wrap) {
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-      return Wrap::clamp_to_edge;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-      return Wrap::mirrored_repeat;
-    default:
-      return Wrap::repeat;
-  }
+  if (wrap == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp_to_edge;
+  return wrap == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirrored_repeat : Wrap::repeat;
 }
 
 // The plain image first, which writers give for readers that know no other.
@@ -33,16 +27,10 @@ int image_of(const tinygltf::Texture& texture) {
 }
 
 const char* name_of(ImageFormat format) {
-  switch (format) {
-    case ImageFormat::webp:
-      return "its image is WebP, which is not read";
-    case ImageFormat::ktx2:
-      return "its image is KTX2, which is not read";
-    case ImageFormat::dds:
-      return "its image is DDS, which is not read";
-    default:
-      return "its image is neither PNG nor JPEG";
-  }
+  if (format == ImageFormat::webp) return "its image is WebP, which is not read";
+  if (format == ImageFormat::ktx2) return "its image is KTX2, which is not read";
+  if (format == ImageFormat::dds) return "its image is DDS, which is not read";
+  return "its image is neither PNG nor JPEG";
 }
 
 /// Texels, or why there are none.

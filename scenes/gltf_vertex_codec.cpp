@@ -47,7 +47,7 @@ void read_packed(Reader& reader, unsigned bits, std::span<unsigned char> deltas)
 
 /// The deltas of one byte position of a block, as many as there are elements, rounded up to whole groups.
 void read_deltas(Reader& reader, unsigned control, std::size_t elements, std::span<unsigned char> deltas) {
-  std::fill(deltas.begin(), deltas.end(), static_cast<unsigned char>(0));
+  std::ranges::fill(deltas, static_cast<unsigned char>(0));
   if (control == 2) return;
   if (control == 3) {
     for (std::size_t i = 0; i < elements; ++i) deltas[i] = static_cast<unsigned char>(reader.byte());
@@ -109,7 +109,7 @@ bool decode_vertex_stream_1(std::span<const unsigned char> encoded, std::size_t 
   const std::size_t tail = std::max(stride + channels, min_tail);
   if (!is_vertex_stream_1(encoded) || encoded.size() < 1 + tail) return false;
   const auto modes = encoded.last(channels);
-  if (!std::all_of(modes.begin(), modes.end(), is_mode)) return false;
+  if (!std::ranges::all_of(modes, is_mode)) return false;
   const auto baseline = encoded.last(stride + channels).first(stride);
   std::vector<unsigned char> value(baseline.begin(), baseline.end());
   Reader reader{encoded.subspan(1, encoded.size() - 1 - tail)};

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "core/lists.h"
 #include "scenes/gltf.h"
 #include "scenes/gltf_document.h"
 #include "scenes/gltf_emitter.h"
@@ -317,8 +318,8 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
   std::vector<Json> meshes;
   for (const auto& group : groups) {
     const std::string& name = scene.meshes[group.front()].name;
-    std::vector<Json> primitives;
-    for (const std::uint32_t index : group) primitives.push_back(writer.primitive(index, name));
+    const std::vector<Json> primitives =
+        mapped(group, [&](const std::uint32_t index) { return writer.primitive(index, name); });
     Members members;
     add_name(members, name);
     members.emplace_back("primitives", array(primitives));
@@ -327,11 +328,9 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
 
   std::map<std::vector<std::uint32_t>, std::size_t> numbers_of_groups;
   for (std::size_t i = 0; i < groups.size(); ++i) numbers_of_groups.emplace(groups[i], i);
-  std::vector<Json> nodes;
-  for (const Placed& place : placed) {
-    nodes.push_back(
-        node(scene.objects[place.object].name, place.transform, "mesh", to_json(numbers_of_groups.at(place.meshes))));
-  }
+  std::vector<Json> nodes = mapped(placed, [&](const Placed& place) {
+    return node(scene.objects[place.object].name, place.transform, "mesh", to_json(numbers_of_groups.at(place.meshes)));
+  });
   std::vector<Json> cameras;
   for (const Camera& source : scene.cameras) {
     nodes.push_back(node(source.name, source.world_from_camera, "camera", to_json(cameras.size())));
@@ -343,8 +342,7 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
     nodes.push_back(node(source.name, source.world_from_light, "extensions", reference, gltf::emitter_extras(source)));
     lights.push_back(light(source));
   }
-  std::vector<Json> materials;
-  for (const Material& source : scene.materials) materials.push_back(material(source));
+  std::vector<Json> materials = mapped(scene.materials, [](const Material& source) { return material(source); });
   std::vector<Json> images, samplers, textures;
   for (const Texture& source : scene.textures) {
     const gltf::Bytes png = gltf::encode_png(source.texels);
@@ -375,8 +373,8 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
     if (is_used) extensions.push_back(to_json(name));
   };
   declare(lights_name, !lights.empty());
-  declare(specular_name, std::any_of(scene.materials.begin(), scene.materials.end(), has_specular));
-  declare(transmission_name, std::any_of(scene.materials.begin(), scene.materials.end(), transmits));
+  declare(specular_name, std::ranges::any_of(scene.materials, has_specular));
+  declare(transmission_name, std::ranges::any_of(scene.materials, transmits));
   add_array(root, "extensionsUsed", extensions);
   if (!lights.empty()) {
     root.emplace_back("extensions", object({{lights_name, object({{"lights", array(lights)}})}}));

@@ -1,11 +1,11 @@
 #include "scenes/scene_params.h"
 
 #include <array>
-#include <charconv>
 #include <string_view>
 #include <utility>
 
 #include "core/error.h"
+#include "core/lists.h"
 
 namespace umbrameter {
 namespace {
@@ -40,12 +40,10 @@ double metres_per_unit(const std::string& unit) {
   for (const auto& [name, metres] : named_units) {
     if (unit == name) return metres;
   }
-  double metres = 0.0;
-  const auto [end, problem] = std::from_chars(unit.data(), unit.data() + unit.size(), metres);
-  const bool is_number = problem == std::errc() && end == unit.data() + unit.size();
-  if (is_number && metres >= shortest_unit && metres <= longest_unit) return metres;
+  const std::optional<double> metres = parsed<double>(unit);
+  if (metres && *metres >= shortest_unit && *metres <= longest_unit) return *metres;
   throw Error(ExitCode::usage, "--scene.unit " + unit.substr(0, 60),
-              is_number ? "the number is not between 1e-12 and 1e12" : "there is no such unit",
+              metres ? "the number is not between 1e-12 and 1e12" : "there is no such unit",
               "give mm, cm, m, km, inch, foot, or the length of the unit in metres, such as 0.01");
 }
 

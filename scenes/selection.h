@@ -2,11 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/lists.h"
 
 namespace umbrameter {
 
@@ -29,9 +30,7 @@ std::vector<std::size_t> select_items(const std::vector<Named>& items, const std
   }
   if (!exact.empty()) return exact;
   if (!similar.empty()) return similar;
-  std::size_t index = 0;
-  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), index);
-  if (status == std::errc() && end == word.data() + word.size() && index < items.size()) return {index};
+  if (const auto index = parsed<std::size_t>(word); index && *index < items.size()) return {*index};
   return {};
 }
 

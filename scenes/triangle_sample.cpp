@@ -77,8 +77,8 @@ class Sampler {
   bool faces_light(const dvec3& middle, const dvec3& normal) const {
     const double length = glm::length(normal);
     const dvec3 place = sample_.center() + sample_.radius() * middle;
-    return length > 0.0 && std::any_of(lights_.begin(), lights_.end(),
-                                       [&](const Light& light) { return faces(light, place, normal / length); });
+    return length > 0.0 &&
+           std::ranges::any_of(lights_, [&](const Light& light) { return faces(light, place, normal / length); });
   }
 
   const Scene& scene_;

@@ -77,7 +77,7 @@ UnitGuess guess_units(const Bounds& bounds, double metres, bool is_surrounding) 
     if (!is_small_thing && !doubt(scaled, is_surrounding).empty()) continue;
     guess.candidates.push_back(candidate);
   }
-  std::stable_sort(guess.candidates.begin(), guess.candidates.end(), is_likelier);
+  std::ranges::stable_sort(guess.candidates, is_likelier);
   if (guess.longest_side > 0.0) {
     guess.power_of_ten = std::pow(10.0, std::round(std::log10(usual_side * metres / guess.longest_side)));
   }
@@ -107,9 +107,9 @@ bool is_surrounding(const Scene& scene) {
   const auto is_within = [&](const dvec3& place) {
     return glm::all(glm::lessThanEqual(bounds.min, place)) && glm::all(glm::lessThanEqual(place, bounds.max));
   };
-  return std::any_of(scene.cameras.begin(), scene.cameras.end(),
-                     [&](const Camera& camera) { return is_within(dvec3(camera.world_from_camera[3])); }) ||
-         std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
+  return std::ranges::any_of(scene.cameras,
+                             [&](const Camera& camera) { return is_within(dvec3(camera.world_from_camera[3])); }) ||
+         std::ranges::any_of(scene.lights, [&](const Light& light) {
            return !std::holds_alternative<DirectionalLight>(light.shape) && is_within(light.position());
          });
 }

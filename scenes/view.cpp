@@ -166,7 +166,7 @@ std::vector<std::string> layer_names(const std::vector<Light>& lights) {
       if (!kept) c = '_';
     }
     if (name.empty()) name = std::to_string(i);
-    while (std::find(names.begin(), names.end(), name) != names.end()) name.append("_").append(std::to_string(i));
+    while (std::ranges::find(names, name) != names.end()) name.append("_").append(std::to_string(i));
     names.push_back(std::move(name));
   }
   return names;

@@ -89,7 +89,7 @@ class Canvas {
       content.cut += pixel.is_cut ? share : 0.0;
       content.covered += std::isfinite(pixel.any) ? share : 0.0;
     }
-    std::sort(surfaces.begin(), surfaces.end());
+    std::ranges::sort(surfaces);
     const auto all = static_cast<double>(surfaces.size());
     for (auto begin = surfaces.begin(); begin != surfaces.end();) {
       const auto end = std::upper_bound(begin, surfaces.end(), *begin);

@@ -12,8 +12,8 @@ namespace umbrameter {
 namespace {
 
 bool has_column(const StoreDescription& description, const std::string& name) {
-  return std::any_of(description.columns.begin(), description.columns.end(),
-                     [&](const StoredColumn& stored) { return stored.column.name == name; });
+  return std::ranges::any_of(description.columns,
+                             [&](const StoredColumn& stored) { return stored.column.name == name; });
 }
 
 // The kind of statistics of this quantity whose columns the store has; nothing if it has those of none.
@@ -23,8 +23,7 @@ std::optional<CellStatistics> statistics_in(const StoreDescription& description,
   for (const CellStatistics& kind : kinds) {
     if (quantity_of(kind) != quantity) continue;
     const std::vector<Column> columns = columns_of(kind);
-    if (std::all_of(columns.begin(), columns.end(),
-                    [&](const Column& column) { return has_column(description, column.name); })) {
+    if (std::ranges::all_of(columns, [&](const Column& column) { return has_column(description, column.name); })) {
       return kind;
     }
   }

@@ -162,7 +162,7 @@ void add_formulas(BiasCurves& curves) {
   std::vector<std::vector<Value>> settings;
   for (const BiasCurve& curve : curves.curves) {
     std::vector<Value> setting = select(curve.others, rest);
-    if (std::find(settings.begin(), settings.end(), setting) == settings.end()) settings.push_back(std::move(setting));
+    if (std::ranges::find(settings, setting) == settings.end()) settings.push_back(std::move(setting));
   }
   for (const std::vector<Value>& setting : settings) {
     for (const FormulaOf kind : {FormulaOf::least_error, FormulaOf::little_acne, FormulaOf::no_acne}) {

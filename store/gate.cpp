@@ -76,7 +76,7 @@ bool names(const BudgetEntry& entry, const MeasuredStatistic& measured) {
 void require_known(const BudgetEntry& entry, const std::vector<MeasuredStatistic>& measured) {
   StatisticName name = parse_statistic_name(entry.statistic);
   if (name.kind.empty()) name.kind = entry.kind;
-  const bool is_measured = std::any_of(measured.begin(), measured.end(), [&](const MeasuredStatistic& each) {
+  const bool is_measured = std::ranges::any_of(measured, [&](const MeasuredStatistic& each) {
     return each.name == name.name && (name.kind.empty() || each.kind == name.kind);
   });
   if (!is_measured) require_statistic(name, entry.place);
@@ -111,7 +111,7 @@ double rounded_out(double bound, double room, bool up) {
 void set_bound(BudgetEntry& entry, const std::vector<const MeasuredStatistic*>& measured) {
   const bool up = is_upper(entry.bound.relation);
   const MeasuredStatistic& worst =
-      **std::max_element(measured.begin(), measured.end(), [&](const MeasuredStatistic* a, const MeasuredStatistic* b) {
+      **std::ranges::max_element(measured, [&](const MeasuredStatistic* a, const MeasuredStatistic* b) {
         return up ? value_for(entry, *a) < value_for(entry, *b) : value_for(entry, *a) > value_for(entry, *b);
       });
   const double value = value_for(entry, worst);

@@ -24,7 +24,7 @@ constexpr std::size_t value_bytes = 8;
 constexpr std::size_t cells_at_once = 4096;
 
 void add_new(std::vector<std::string>& list, const std::string& text) {
-  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
+  if (std::ranges::find(list, text) == list.end()) list.push_back(text);
 }
 
 std::string value_of(const std::vector<std::pair<std::string, std::string>>& pairs, const std::string& name) {
@@ -72,7 +72,7 @@ bool ScratchRows::add(const PlannedShard& shard, std::string_view rows) {
   });
   if (rows.size() != cells.size() * row_bytes) return false;
   // The cells of a group may lie apart, those of neighbouring groups side by side: few writes then do.
-  std::sort(cells.begin(), cells.end());
+  std::ranges::sort(cells);
   std::string run;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     run.append(rows.substr(cells[i].second * row_bytes, row_bytes));

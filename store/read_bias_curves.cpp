@@ -91,7 +91,7 @@ void add_plateaus(BiasCurves& curves, const SweepResults& sweep) {
   for (std::size_t i = 0; i < constant.values.size(); ++i) by_bias.emplace(constant.values[i], i);
   for (BiasCurve& curve : curves.curves) {
     const double at_slope = least_error(curve.optima)->slope;
-    const auto line = std::find(slope.values.begin(), slope.values.end(), at_slope) - slope.values.begin();
+    const auto line = std::ranges::find(slope.values, at_slope) - slope.values.begin();
     std::vector<std::size_t> numbers;
     for (const auto& [bias, index] : by_bias) {
       numbers.push_back(curve.first_cell + index * constant.stride + static_cast<std::size_t>(line) * slope.stride);
@@ -139,7 +139,7 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep, const Meas
   if (curves.curves.empty()) return std::nullopt;
   curves.constants = plan.constant_bias.values;
   curves.unit = plan.constant_unit;
-  std::sort(curves.constants.begin(), curves.constants.end());
+  std::ranges::sort(curves.constants);
   if (curves.varies_constant) add_plateaus(curves, sweep);
   if (measure && curves.varies_constant) add_formulas(curves);
   return curves;

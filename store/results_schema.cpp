@@ -229,7 +229,7 @@ StoreDescription read_description(SQLite::Database& database, const fs::path& pa
   SQLite::Statement columns(database, "SELECT name, kind, unit, meaning FROM columns ORDER BY position");
   while (columns.executeStep()) {
     const std::string kind = columns.getColumn(1).getString();
-    const auto* found = std::find(std::begin(kind_names), std::end(kind_names), kind);
+    const auto* found = std::ranges::find(kind_names, kind);
     if (found == std::end(kind_names)) throw_damaged(path, "a column's kind is '" + kind + "'");
     description.columns.push_back(
         {{columns.getColumn(0).getString(), columns.getColumn(2).getString(), columns.getColumn(3).getString()},

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/lists.h"
 #include "reports/files/output.h"
 #include "store/results_checksum.h"
 #include "store/results_schema.h"
@@ -27,9 +28,7 @@ constexpr std::int64_t cells_of_finished_group = 1024;
 
 // "a", "b".
 std::string list_of(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + identifier(name);
-  return text;
+  return joined(names, ", ", [](const std::string& name) { return identifier(name); });
 }
 
 // Of the database and of the files that it keeps beside itself.
@@ -87,9 +86,7 @@ struct ResultsStore::State {
   std::optional<SQLite::Statement> find{};
 
   std::vector<std::string> names() const {
-    std::vector<std::string> all;
-    for (const StoredColumn& stored : description.columns) all.push_back(stored.column.name);
-    return all;
+    return mapped(description.columns, [](const StoredColumn& stored) { return stored.column.name; });
   }
 
   const StoredColumn& column(const std::string& name) const {
@@ -100,9 +97,7 @@ struct ResultsStore::State {
   }
 
   std::vector<ValueKind> kinds(const std::vector<std::string>& columns) const {
-    std::vector<ValueKind> result;
-    for (const std::string& name : columns) result.push_back(column(name).kind);
-    return result;
+    return mapped(columns, [&](const std::string& name) { return column(name).kind; });
   }
 
   Table table(const std::vector<std::string>& columns) const {

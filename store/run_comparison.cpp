@@ -12,7 +12,7 @@ namespace umbrameter {
 namespace {
 
 const MeasuredStatistic* find_same(const StoredRun& run, const MeasuredStatistic& of_base) {
-  const auto found = std::find_if(run.statistics.begin(), run.statistics.end(), [&](const MeasuredStatistic& each) {
+  const auto found = std::ranges::find_if(run.statistics, [&](const MeasuredStatistic& each) {
     return each.kind == of_base.kind && each.light == of_base.light && each.name == of_base.name;
   });
   return found == run.statistics.end() ? nullptr : &*found;
@@ -147,7 +147,7 @@ Table differing_parameters(const std::vector<StoredRun>& runs) {
   std::vector<std::string> keys;
   for (const StoredRun& run : runs) {
     for (const auto& [key, value] : run.parameters) {
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
     }
   }
   for (const std::string& key : keys) {

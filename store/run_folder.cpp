@@ -33,11 +33,11 @@ bool is_link(const fs::path& path) {
 }
 
 bool contains(const std::vector<std::string>& files, const std::string& file) {
-  return std::find(files.begin(), files.end(), file) != files.end();
+  return std::ranges::find(files, file) != files.end();
 }
 
 bool any_there(const fs::path& folder, const std::vector<std::string>& files) {
-  return std::any_of(files.begin(), files.end(), [&](const std::string& file) { return is_there(folder / file); });
+  return std::ranges::any_of(files, [&](const std::string& file) { return is_there(folder / file); });
 }
 
 // The folders on the way to this one, and itself, that would have to be made; outermost first.
@@ -49,7 +49,7 @@ std::vector<fs::path> missing_folders(const fs::path& folder) {
     const fs::path name = path.filename();
     if (!name.empty() && name != "." && name != "..") missing.push_back(path);
   }
-  std::reverse(missing.begin(), missing.end());
+  std::ranges::reverse(missing);
   return missing;
 }
 

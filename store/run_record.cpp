@@ -51,7 +51,7 @@ std::optional<RunRecord> record_of_summary(const fs::path& folder) {
   record.command = summary.value("command", Json()).is_string() ? summary["command"].get<std::string>() : "";
   record.complete = true;
   record.files = recordable_files(summary["files"]);
-  const bool has_page = std::find(record.files.begin(), record.files.end(), "index.html") != record.files.end();
+  const bool has_page = std::ranges::find(record.files, "index.html") != record.files.end();
   if (has_page) add_files(record.files, linked_figures(text_of_file(folder / "index.html").value_or("")));
   return record;
 }
@@ -59,7 +59,7 @@ std::optional<RunRecord> record_of_summary(const fs::path& folder) {
 // Of a sweep that was interrupted before it had a summary.
 std::optional<RunRecord> record_of_store(const fs::path& folder) {
   const std::vector<std::string> store = ResultsStore::file_names();
-  if (std::none_of(store.begin(), store.end(), [&](const std::string& name) { return is_there(folder / name); })) {
+  if (std::ranges::none_of(store, [&](const std::string& name) { return is_there(folder / name); })) {
     return {};
   }
   RunRecord record{"sweep", false, {"experiment.toml", "images.exr", "sweep.csv"}};
@@ -109,7 +109,7 @@ void write_run_record(const fs::path& folder, const RunRecord& record) {
 
 void add_files(std::vector<std::string>& list, const std::vector<std::string>& files) {
   for (const std::string& file : files) {
-    if (std::find(list.begin(), list.end(), file) == list.end()) list.push_back(file);
+    if (std::ranges::find(list, file) == list.end()) list.push_back(file);
   }
 }
 

@@ -123,8 +123,7 @@ LayeredImage read_layers(const std::filesystem::path& path, const std::vector<st
   LayeredImage image = read_exr(path);
   std::vector<Channel> ordered;
   for (const std::string& name : channels) {
-    const auto found = std::find_if(image.channels.begin(), image.channels.end(),
-                                    [&](const Channel& channel) { return channel.name == name; });
+    const auto found = std::ranges::find(image.channels, name, &Channel::name);
     if (found == image.channels.end()) {
       throw Error(ExitCode::unreadable_input, path.string(), "it lacks the layer " + name, "rerun the command");
     }

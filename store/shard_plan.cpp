@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/content_hash.h"
 #include "core/error.h"
+#include "core/lists.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
 #include "reports/files/value_json.h"
@@ -112,13 +112,6 @@ std::string text_of(const ShardPlan& plan) {
   return text + "\n}\n";
 }
 
-std::optional<std::size_t> number_in(std::string_view text) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
-  return number;
-}
-
 }  // namespace
 
 std::string program_version() { return UMBRAMETER_VERSION; }
@@ -216,14 +209,14 @@ std::vector<std::size_t> parse_shards(const std::string& text, std::size_t count
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view part = std::string_view(text).substr(begin, end - begin);
     const std::size_t dash = part.find('-');
-    const std::optional<std::size_t> first = number_in(part.substr(0, dash));
-    const std::optional<std::size_t> last = dash == part.npos ? first : number_in(part.substr(dash + 1));
+    const std::optional<std::size_t> first = parsed<std::size_t>(part.substr(0, dash));
+    const std::optional<std::size_t> last = dash == part.npos ? first : parsed<std::size_t>(part.substr(dash + 1));
     if (!first || !last || *last < *first) refuse("it is no list of shards");
     if (*last >= count) refuse(fmt::format("the plan has the shards 0 to {}", count - 1));
     for (std::size_t shard = *first; shard <= *last; ++shard) shards.push_back(shard);
     begin = end + 1;
   }
-  std::sort(shards.begin(), shards.end());
+  std::ranges::sort(shards);
   shards.erase(std::unique(shards.begin(), shards.end()), shards.end());
   return shards;
 }
@@ -244,7 +237,7 @@ std::string shard_of_environment() {
   for (const char* variable : {"SLURM_ARRAY_TASK_ID", "JOB_COMPLETION_INDEX", "AWS_BATCH_JOB_ARRAY_INDEX"}) {
     const char* value = std::getenv(variable);
     if (value == nullptr || *value == '\0') continue;
-    const std::optional<std::size_t> index = number_in(value);
+    const std::optional<std::size_t> index = parsed<std::size_t>(value);
     if (!index) throw Error(ExitCode::usage, variable, fmt::format("'{}' is no number", shortened(value, 40)));
     const char* list = std::getenv("UMBRAMETER_SHARDS");
     if (list == nullptr || *list == '\0') return std::to_string(*index);

@@ -101,7 +101,7 @@ PooledMap pool(const Image<float>& map) {
     values.push_back(value);
   }
   if (values.empty()) return pooled;
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   pooled.mean = sum / static_cast<double>(values.size());
   const auto percentile = [&](double share) {
     const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));

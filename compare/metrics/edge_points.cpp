@@ -140,8 +140,8 @@ void read_profile(const Lines& lines, Crossing& crossing) {
     dark += 1.0 - static_cast<double>(reference.back());
   }
   if (!crossing.rises) {
-    std::reverse(reference.begin(), reference.end());
-    std::reverse(test.begin(), test.end());
+    std::ranges::reverse(reference);
+    std::ranges::reverse(test);
   }
   crossing.moved = darker;
   crossing.place = crossing.rises ? *first + dark : *last + 1 - dark;

@@ -7,6 +7,7 @@
 #include "compare/metrics/color_space.h"
 #include "compare/metrics/flip.h"
 #include "core/error.h"
+#include "core/lists.h"
 #include "core/parallel.h"
 
 namespace umbrameter {
@@ -56,10 +57,8 @@ double aces(double value) {
 ExposureRange exposure_range(const Image<vec3>& reference, const ColorMetricParams& params) {
   ExposureRange range;
   if (!params.start_exposure || !params.stop_exposure) {
-    std::vector<double> luminances;
-    luminances.reserve(reference.size());
-    for (const vec3& color : reference.pixels) luminances.push_back(luminance(color));
-    const double brightest = luminances.empty() ? 0.0 : *std::max_element(luminances.begin(), luminances.end());
+    std::vector<double> luminances = mapped(reference.pixels, [](const vec3& color) { return luminance(color); });
+    const double brightest = luminances.empty() ? 0.0 : *std::ranges::max_element(luminances);
     if (brightest > 0.0) {
       double median = upper_median(luminances);
       if (median <= 0.0) {

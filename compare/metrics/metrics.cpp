@@ -4,6 +4,7 @@
 
 #include "compare/metrics/color_metric.h"
 #include "core/error.h"
+#include "core/lists.h"
 
 namespace umbrameter {
 
@@ -22,11 +23,7 @@ std::string name_in_unit(const Metric& metric, std::string_view unit) {
   return std::string(metric.name) + "-" + std::string(unit);
 }
 
-std::string metric_names(std::span<const Metric> all) {
-  std::string names;
-  for (const Metric& metric : all) names += (names.empty() ? "" : ", ") + std::string(metric.name);
-  return names;
-}
+std::string metric_names(std::span<const Metric> all) { return joined(all, ", ", &Metric::name); }
 
 std::vector<const Metric*> select_metrics(std::string_view names, std::span<const Metric> all,
                                           const std::string& option) {
@@ -34,7 +31,7 @@ std::vector<const Metric*> select_metrics(std::string_view names, std::span<cons
   while (!names.empty()) {
     const std::string name(names.substr(0, names.find(',')));
     names.remove_prefix(std::min(names.size(), name.size() + 1));
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Metric& m) { return m.name == name; });
+    const auto found = std::ranges::find(all, name, &Metric::name);
     if (found == all.end()) {
       throw Error(ExitCode::usage, option, "there is no metric '" + name + "'", "choose from: " + metric_names(all));
     }

@@ -3,26 +3,16 @@ import {SSAO2RenderingPipeline} from '@babylonjs/core/PostProcesses/RenderPipeli
 import '@babylonjs/core/PostProcesses/RenderPipeline/postProcessRenderPipelineManagerSceneComponent.js';
 import '@babylonjs/core/Rendering/geometryBufferRendererSceneComponent.js';
 import '@babylonjs/core/Rendering/prePassRendererSceneComponent.js';
+import {settings_of} from '/browser/page.mjs';
 
 /** Adds the pipeline; gives {dispose()}. */
 export function add_occlusion(scene, camera, values) {
   const is_forced = values['ssao-force-geometry-buffer'];
   const ratio = {ssaoRatio: values['ssao-ratio'], blurRatio: values['ssao-blur-ratio']};
   const pipeline = new SSAO2RenderingPipeline('ssao', scene, ratio, [camera], is_forced);
-  Object.assign(pipeline, {
-    radius: values['ssao-radius'],
-    totalStrength: values['ssao-total-strength'],
-    base: values['ssao-base'],
-    samples: values['ssao-samples'],
-    epsilon: values['ssao-epsilon'],
-    maxZ: values['ssao-max-z'],
-    minZAspect: values['ssao-min-z-aspect'],
-    bypassBlur: values['ssao-bypass-blur'],
-    expensiveBlur: values['ssao-expensive-blur'],
-    bilateralSamples: values['ssao-bilateral-samples'],
-    bilateralSoften: values['ssao-bilateral-soften'],
-    bilateralTolerance: values['ssao-bilateral-tolerance'],
-  });
+  Object.assign(pipeline, settings_of(values, 'ssao-', [
+    'radius', 'totalStrength', 'base', 'samples', 'epsilon', 'maxZ', 'minZAspect', 'bypassBlur', 'expensiveBlur',
+    'bilateralSamples', 'bilateralSoften', 'bilateralTolerance']));
   return {
     dispose() {
       pipeline.dispose(true);

@@ -9,7 +9,7 @@ import {Color4} from '@babylonjs/core/Maths/math.color.js';
 import {Matrix, Quaternion, Vector3} from '@babylonjs/core/Maths/math.vector.js';
 import {Scene} from '@babylonjs/core/scene.js';
 import '@babylonjs/loaders/glTF/2.0/index.js';
-import {channels_of, check_webgl, renderer_of, seed_random} from '/browser/page.mjs';
+import {check_size, check_webgl, renderer_of, seed_random, share_image, vector_image} from '/browser/page.mjs';
 import {add_occlusion} from './ambient.mjs';
 import {add_light} from './lights.mjs';
 import {shown, what, whiten} from './materials.mjs';
@@ -43,8 +43,7 @@ class Engine {
 
   async load({camera, light, bounds, width, height}) {
     this.scene?.dispose();
-    const limit = this.babylon.getCaps().maxTextureSize;
-    if (Math.max(width, height) > limit) throw new Error(`an image may have at most ${limit} x ${limit} pixels here`);
+    check_size(this.babylon.getCaps().maxTextureSize, {width, height});
     this.babylon.setSize(width, height);
     const scene = new Scene(this.babylon);
     Object.assign(this, {scene, light, bounds, width, height, cover: undefined});
@@ -118,14 +117,14 @@ class Engine {
     const {cover} = this;
     const single = async (name, frame) => {
       milliseconds += frame.milliseconds;
-      images[name] = {channels: 1, pixels: channels_of(frame.pixels, 1, {cover, empty: 1})};
+      images[name] = share_image(frame.pixels, cover);
     };
     if (outputs.includes('visibility')) await single('visibility', await this.visibility(values));
     if (outputs.includes('ao')) await single('ao', await this.occlusion(values));
-    if (outputs.includes('position')) images.position = {channels: 3, pixels: channels_of(cover, 3, {cover})};
+    if (outputs.includes('position')) images.position = vector_image(cover, cover);
     if (outputs.includes('normal')) {
       await this.ready();
-      images.normal = {channels: 3, pixels: channels_of((await this.draw(what.normal)).pixels, 3, {cover})};
+      images.normal = vector_image((await this.draw(what.normal)).pixels, cover);
     }
     check_webgl(this.gl, 'render');
     return {images, milliseconds};

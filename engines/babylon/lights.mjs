@@ -6,6 +6,7 @@ import {CascadedShadowGenerator} from '@babylonjs/core/Lights/Shadows/cascadedSh
 import {ShadowGenerator} from '@babylonjs/core/Lights/Shadows/shadowGenerator.js';
 import '@babylonjs/core/Lights/Shadows/shadowGeneratorSceneComponent.js';
 import {Vector3} from '@babylonjs/core/Maths/math.vector.js';
+import {settings_of} from '/browser/page.mjs';
 
 const filters = {
   none: ShadowGenerator.FILTER_NONE,
@@ -28,10 +29,8 @@ function sun({direction, position}, bounds, values, scene) {
   light.position = values['light-position'] === 'file'
     ? Vector3.FromArray(position)
     : low.add(high).scale(0.5).subtract(light.direction.scale(radius));
-  light.autoCalcShadowZBounds = values['auto-calc-shadow-z-bounds'];
-  light.shadowOrthoScale = values['shadow-ortho-scale'];
-  light.shadowFrustumSize = values['shadow-frustum-size'];
-  return light;
+  const names = ['autoCalcShadowZBounds', 'shadowOrthoScale', 'shadowFrustumSize'];
+  return Object.assign(light, settings_of(values, '', names));
 }
 
 function spot({position, direction, outer_cone}, values, scene) {
@@ -49,12 +48,8 @@ function make_light(request, bounds, values, scene) {
 
 function cascaded(light, camera, values) {
   const generator = new CascadedShadowGenerator(values['map-size'], light, values['use-float32-texture-type'], camera);
-  generator.numCascades = values['num-cascades'];
-  generator.lambda = values.lambda;
-  generator.stabilizeCascades = values['stabilize-cascades'];
-  generator.cascadeBlendPercentage = values['cascade-blend-percentage'];
-  generator.depthClamp = values['depth-clamp'];
-  generator.penumbraDarkness = values['penumbra-darkness'];
+  Object.assign(generator, settings_of(values, '', [
+    'numCascades', 'lambda', 'stabilizeCascades', 'cascadeBlendPercentage', 'depthClamp', 'penumbraDarkness']));
   if (values['shadow-max-z'] > 0) generator.shadowMaxZ = values['shadow-max-z'];
   return generator;
 }
@@ -81,17 +76,11 @@ export function add_light(scene, camera, meshes, request, bounds, values) {
     : new ShadowGenerator(values['map-size'], light, values['use-float32-texture-type'], camera);
   generator.filter = filters[values.filter];
   generator.filteringQuality = qualities[values['filtering-quality']];
-  generator.bias = values.bias;
-  generator.normalBias = values['normal-bias'];
-  generator.darkness = values.darkness;
+  Object.assign(generator, settings_of(values, '', ['bias', 'normalBias', 'darkness']));
   generator.contactHardeningLightSizeUVRatio = values['contact-hardening-light-size-uv-ratio'];
-  generator.depthScale = values['depth-scale'];
-  generator.blurScale = values['blur-scale'];
-  generator.blurBoxOffset = values['blur-box-offset'];
-  generator.useKernelBlur = values['use-kernel-blur'];
-  generator.blurKernel = values['blur-kernel'];
-  generator.frustumEdgeFalloff = values['frustum-edge-falloff'];
-  generator.forceBackFacesOnly = values['force-back-faces-only'];
+  Object.assign(generator, settings_of(values, '', [
+    'depthScale', 'blurScale', 'blurBoxOffset', 'useKernelBlur', 'blurKernel', 'frustumEdgeFalloff',
+    'forceBackFacesOnly']));
   for (const mesh of meshes) generator.addShadowCaster(mesh, false);
   if (is_cascaded && values['auto-calc-depth-bounds']) generator.autoCalcDepthBounds = true;
   return {

@@ -60,6 +60,15 @@ export function renderer_of(gl) {
   return String(gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
 }
 
+/** Settings of an engine under its own names: {camelName: the value of 'prefix-camel-name'} for each name. */
+export const settings_of = (values, prefix, names) => Object.fromEntries(names.map((name) =>
+  [name, values[prefix + name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)]]));
+
+/** Throws for an image that the engine cannot draw. */
+export function check_size(limit, {width, height}) {
+  if (Math.max(width, height) > limit) throw new Error(`an image may have at most ${limit} x ${limit} pixels here`);
+}
+
 /**
  * Selects channels of an RGBA float image, rows as WebGL has them, from the bottom. `pixels`: 4 floats each.
  * Where `cover` (4 floats each, the last one is 0 where nothing is seen) is given, `empty` stands for the background.
@@ -72,6 +81,23 @@ export function channels_of(pixels, channels, {cover, empty = NaN, first = 0} = 
     for (let c = 0; c < channels; ++c) out[i * channels + c] = is_empty ? empty : pixels[4 * i + first + c];
   }
   return out;
+}
+
+/** Images of a frame: shares of light, open where nothing is seen, and positions or normals. */
+export const share_image = (pixels, cover) => ({channels: 1, pixels: channels_of(pixels, 1, {cover, empty: 1})});
+export const vector_image = (pixels, cover) => ({channels: 3, pixels: channels_of(pixels, 3, {cover})});
+
+/** {milliseconds, time(work)}: the sum over all works, of which each one's result is given. */
+export function stopwatch() {
+  return {
+    milliseconds: 0,
+    async time(work) {
+      const start = performance.now();
+      const result = await work();
+      this.milliseconds += performance.now() - start;
+      return result;
+    },
+  };
 }
 
 export function serve(import_engine) {

@@ -1,4 +1,5 @@
 // The light of a scene in Filament, with the shadow that the parameters describe.
+import {settings_of} from '/browser/page.mjs';
 
 const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
 
@@ -9,16 +10,10 @@ function radius_past({position}, {min, max}) {
 }
 
 const options_of = (values) => ({
-  mapSize: values['map-size'],
-  shadowCascades: values['shadow-cascades'],
-  constantBias: values['constant-bias'],
-  normalBias: values['normal-bias'],
-  shadowFar: values['shadow-far'],
-  stable: values.stable,
-  lispsm: values.lispsm,
+  ...settings_of(values, '', [
+    'mapSize', 'shadowCascades', 'constantBias', 'normalBias', 'shadowFar', 'stable', 'lispsm', 'polygonOffsetConstant',
+    'polygonOffsetSlope']),
   shadowBulbRadius: 0.02,  // its default; only soft shadows read it, which the package cannot choose
-  polygonOffsetConstant: values['polygon-offset-constant'],
-  polygonOffsetSlope: values['polygon-offset-slope'],
 });
 
 /** An entity with the light; it casts shadows. */

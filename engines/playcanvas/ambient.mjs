@@ -1,5 +1,6 @@
 // Ambient occlusion of PlayCanvas: the image of CameraFrame's SSAO, which its materials and its composition multiply.
 import * as pc from 'playcanvas';
+import {settings_of} from '/browser/page.mjs';
 
 /** RGBA of the occlusion, 1 where open, of the size of the scene's image. */
 export async function read_occlusion({app, camera, width, height}, values) {
@@ -7,14 +8,8 @@ export async function read_occlusion({app, camera, width, height}, values) {
   frame.rendering.renderFormats = [pc.PIXELFORMAT_RGBA16F];
   Object.assign(frame.ssao, {
     type: pc.SSAOTYPE_COMBINE,
-    radius: values['ssao-radius'],
-    samples: values['ssao-samples'],
-    intensity: values['ssao-intensity'],
-    power: values['ssao-power'],
-    minAngle: values['ssao-min-angle'],
-    scale: values['ssao-scale'],
-    blurEnabled: values['ssao-blur-enabled'],
-    randomize: values['ssao-randomize'],
+    ...settings_of(values, 'ssao-', [
+      'radius', 'samples', 'intensity', 'power', 'minAngle', 'scale', 'blurEnabled', 'randomize']),
   });
   frame.update();
   try {

@@ -1,10 +1,10 @@
 // PlayCanvas in the page: a scene, and frames of it.
 import * as pc from 'playcanvas';
-import {channels_of, check_webgl, renderer_of, seed_random} from '/browser/page.mjs';
+import {check_size, check_webgl, renderer_of, seed_random, share_image, stopwatch, vector_image}
+  from '/browser/page.mjs';
 import {read_occlusion} from './ambient.mjs';
 import {add_light} from './lights.mjs';
 import {what, whiten} from './materials.mjs';
-
 
 async function make_app(canvas) {
   const options = new pc.AppOptions();
@@ -91,8 +91,7 @@ class Engine {
     const {camera, light, bounds, width, height} = request;
     const {app} = this;
     this.unload();
-    const limit = app.graphicsDevice.maxTextureSize;
-    if (Math.max(width, height) > limit) throw new Error(`an image may have at most ${limit} x ${limit} pixels here`);
+    check_size(app.graphicsDevice.maxTextureSize, request);
     app.setCanvasResolution(pc.RESOLUTION_FIXED, width, height);
     this.asset = await load_scene(app);
     this.root = this.asset.resource.instantiateRenderEntity();
@@ -127,30 +126,19 @@ class Engine {
 
   async render(outputs, values) {
     const images = {};
-    let milliseconds = 0;
-    const timed = async (work) => {
-      const start = performance.now();
-      const result = await work();
-      milliseconds += performance.now() - start;
-      return result;
-    };
-    const factor = outputs.includes('visibility') ? await timed(() => this.visibility(values)) : undefined;
+    const watch = stopwatch();
+    const factor = outputs.includes('visibility') ? await watch.time(() => this.visibility(values)) : undefined;
     this.cover ??= await this.draw(what.position);
     const {cover} = this;
-    if (factor !== undefined) {
-      images.visibility = {channels: 1, pixels: channels_of(factor, 1, {cover, empty: 1})};
-    }
+    if (factor !== undefined) images.visibility = share_image(factor, cover);
     if (outputs.includes('ao')) {
       seed_random();
-      const open = await timed(() => read_occlusion(this, values));
-      images.ao = {channels: 1, pixels: channels_of(open, 1, {cover, empty: 1})};
+      images.ao = share_image(await watch.time(() => read_occlusion(this, values)), cover);
     }
-    if (outputs.includes('position')) images.position = {channels: 3, pixels: channels_of(cover, 3, {cover})};
-    if (outputs.includes('normal')) {
-      images.normal = {channels: 3, pixels: channels_of(await this.draw(what.normal), 3, {cover})};
-    }
+    if (outputs.includes('position')) images.position = vector_image(cover, cover);
+    if (outputs.includes('normal')) images.normal = vector_image(await this.draw(what.normal), cover);
     check_webgl(this.gl, 'render');
-    return {images, milliseconds};
+    return {images, milliseconds: watch.milliseconds};
   }
 }
 

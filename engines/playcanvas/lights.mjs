@@ -1,5 +1,6 @@
 // The light of a scene in PlayCanvas, with the shadow that the parameters describe.
 import * as pc from 'playcanvas';
+import {settings_of} from '/browser/page.mjs';
 
 const types = {
   'pcf1-16f': pc.SHADOW_PCF1_16F, 'pcf3-16f': pc.SHADOW_PCF3_16F, 'pcf5-16f': pc.SHADOW_PCF5_16F,
@@ -36,21 +37,11 @@ export function add_light(app, request, bounds, values) {
     intensity: 1,
     castShadows: true,
     shadowType: type,
-    shadowResolution: values['shadow-resolution'],
-    shadowBias: values['shadow-bias'],
-    normalOffsetBias: values['normal-offset-bias'],
-    shadowDistance: values['shadow-distance'],
-    shadowIntensity: values['shadow-intensity'],
-    numCascades: values['num-cascades'],
-    cascadeDistribution: values['cascade-distribution'],
-    cascadeBlend: values['cascade-blend'],
-    vsmBlurSize: values['vsm-blur-size'],
     vsmBlurMode: values['vsm-blur-mode'] === 'box' ? pc.BLUR_BOX : pc.BLUR_GAUSSIAN,
-    vsmBias: values['vsm-bias'],
-    penumbraSize: values['penumbra-size'],
-    penumbraFalloff: values['penumbra-falloff'],
-    shadowSamples: values['shadow-samples'],
-    shadowBlockerSamples: values['shadow-blocker-samples'],
+    ...settings_of(values, '', [
+      'shadowResolution', 'shadowBias', 'normalOffsetBias', 'shadowDistance', 'shadowIntensity', 'numCascades',
+      'cascadeDistribution', 'cascadeBlend', 'vsmBlurSize', 'vsmBias', 'penumbraSize', 'penumbraFalloff',
+      'shadowSamples', 'shadowBlockerSamples']),
     ...(request.kind !== 'directional' && {range: range_of(request, bounds), falloffMode: pc.LIGHTFALLOFF_LINEAR}),
     ...(request.kind === 'spot' && {
       innerConeAngle: degrees(request.inner_cone), outerConeAngle: degrees(request.outer_cone)}),

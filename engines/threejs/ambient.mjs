@@ -5,52 +5,28 @@ import * as THREE from 'three';
 import {GTAOPass} from 'three/addons/postprocessing/GTAOPass.js';
 import {SAOPass} from 'three/addons/postprocessing/SAOPass.js';
 import {SSAOPass} from 'three/addons/postprocessing/SSAOPass.js';
+import {settings_of} from '/browser/page.mjs';
 
 function ssao({scene, camera, width, height}, values) {
   const pass = new SSAOPass(scene, camera, width, height, values['ssao-kernel-size']);
-  pass.kernelRadius = values['ssao-kernel-radius'];
-  pass.minDistance = values['ssao-min-distance'];
-  pass.maxDistance = values['ssao-max-distance'];
-  return pass;
+  return Object.assign(pass, settings_of(values, 'ssao-', ['kernelRadius', 'minDistance', 'maxDistance']));
 }
 
 function sao({scene, camera, width, height}, values) {
   const pass = new SAOPass(scene, camera, new THREE.Vector2(width, height));
-  Object.assign(pass.params, {
-    saoBias: values['sao-bias'],
-    saoIntensity: values['sao-intensity'],
-    saoScale: values['sao-scale'],
-    saoKernelRadius: values['sao-kernel-radius'],
-    saoMinResolution: values['sao-min-resolution'],
-    saoBlur: values['sao-blur'],
-    saoBlurRadius: values['sao-blur-radius'],
-    saoBlurStdDev: values['sao-blur-std-dev'],
-    saoBlurDepthCutoff: values['sao-blur-depth-cutoff'],
-  });
+  Object.assign(pass.params, settings_of(values, '', [
+    'saoBias', 'saoIntensity', 'saoScale', 'saoKernelRadius', 'saoMinResolution', 'saoBlur', 'saoBlurRadius',
+    'saoBlurStdDev', 'saoBlurDepthCutoff']));
   return pass;
 }
 
 function gtao({scene, camera, width, height}, values) {
   const pass = new GTAOPass(scene, camera, width, height);
   pass.blendIntensity = values['gtao-blend-intensity'];
-  pass.updateGtaoMaterial({
-    radius: values['gtao-radius'],
-    distanceExponent: values['gtao-distance-exponent'],
-    thickness: values['gtao-thickness'],
-    distanceFallOff: values['gtao-distance-fall-off'],
-    scale: values['gtao-scale'],
-    samples: values['gtao-samples'],
-    screenSpaceRadius: values['gtao-screen-space-radius'],
-  });
-  pass.updatePdMaterial({
-    lumaPhi: values['gtao-pd-luma-phi'],
-    depthPhi: values['gtao-pd-depth-phi'],
-    normalPhi: values['gtao-pd-normal-phi'],
-    radius: values['gtao-pd-radius'],
-    radiusExponent: values['gtao-pd-radius-exponent'],
-    rings: values['gtao-pd-rings'],
-    samples: values['gtao-pd-samples'],
-  });
+  pass.updateGtaoMaterial(settings_of(values, 'gtao-', [
+    'radius', 'distanceExponent', 'thickness', 'distanceFallOff', 'scale', 'samples', 'screenSpaceRadius']));
+  pass.updatePdMaterial(settings_of(values, 'gtao-pd-', [
+    'lumaPhi', 'depthPhi', 'normalPhi', 'radius', 'radiusExponent', 'rings', 'samples']));
   return pass;
 }
 
@@ -60,16 +36,10 @@ function n8ao({scene, camera, width, height}, values) {
   Object.assign(pass.configuration, {
     aoRadius: values['n8ao-radius'],
     aoSamples: values['n8ao-samples'],
-    distanceFalloff: values['n8ao-distance-falloff'],
-    intensity: values['n8ao-intensity'],
-    denoiseSamples: values['n8ao-denoise-samples'],
-    denoiseRadius: values['n8ao-denoise-radius'],
-    denoiseIterations: values['n8ao-denoise-iterations'],
     aoTones: values['n8ao-tones'],
-    biasOffset: values['n8ao-bias-offset'],
-    biasMultiplier: values['n8ao-bias-multiplier'],
-    screenSpaceRadius: values['n8ao-screen-space-radius'],
-    halfRes: values['n8ao-half-res'],
+    ...settings_of(values, 'n8ao-', [
+      'distanceFalloff', 'intensity', 'denoiseSamples', 'denoiseRadius', 'denoiseIterations', 'biasOffset',
+      'biasMultiplier', 'screenSpaceRadius', 'halfRes']),
     gammaCorrection: false,
   });
   pass.setDisplayMode('AO');

@@ -1,7 +1,8 @@
 // three.js in the page: a scene, and frames of it.
 import * as THREE from 'three';
 import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
-import {channels_of, check_webgl, renderer_of, seed_random} from '/browser/page.mjs';
+import {check_size, check_webgl, renderer_of, seed_random, share_image, stopwatch, vector_image}
+  from '/browser/page.mjs';
 import {occlusion} from './ambient.mjs';
 import {add_light} from './lights.mjs';
 import {leave_csm, set_shadow_side, use_csm, whiten} from './materials.mjs';
@@ -49,8 +50,7 @@ class Engine {
 
   async load({camera, light, bounds, width, height}) {
     this.unload();
-    const limit = this.renderer_of_three.capabilities.maxTextureSize;
-    if (Math.max(width, height) > limit) throw new Error(`an image may have at most ${limit} x ${limit} pixels here`);
+    check_size(this.renderer_of_three.capabilities.maxTextureSize, {width, height});
     const {scene: root} = await new GLTFLoader().loadAsync('/scene.glb');
     keep_meshes(root);
     this.materials = whiten(root);
@@ -104,30 +104,23 @@ class Engine {
 
   async render(outputs, values) {
     const images = {};
-    let milliseconds = 0;
-    const timed = (work) => {
-      const start = performance.now();
-      const result = work();
-      milliseconds += performance.now() - start;
-      return result;
-    };
-    const factor = outputs.includes('visibility') ? timed(() => this.visibility(values)) : undefined;
+    const watch = stopwatch();
+    const factor = outputs.includes('visibility') ? await watch.time(() => this.visibility(values)) : undefined;
     if (factor === undefined && this.cover === undefined) this.draw();
     this.cover ??= this.read(1);
     const {cover} = this;
-    if (factor) images.visibility = {channels: 1, pixels: channels_of(factor, 1, {cover, empty: 1})};
-    if (outputs.includes('position')) images.position = {channels: 3, pixels: channels_of(cover, 3, {cover})};
+    if (factor) images.visibility = share_image(factor, cover);
+    if (outputs.includes('position')) images.position = vector_image(cover, cover);
     if (outputs.includes('normal')) {
       this.draw();
-      images.normal = {channels: 3, pixels: channels_of(this.read(2), 3, {cover})};
+      images.normal = vector_image(this.read(2), cover);
     }
     if (outputs.includes('ao')) {
       seed_random();
-      const open = timed(() => occlusion(this, values));
-      images.ao = {channels: 1, pixels: channels_of(open, 1, {cover, empty: 1})};
+      images.ao = share_image(await watch.time(() => occlusion(this, values)), cover);
     }
     check_webgl(this.gl, 'render');
-    return {images, milliseconds};
+    return {images, milliseconds: watch.milliseconds};
   }
 }
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "reports/files/value_json.h"
 #include "scenes/light.h"
 
@@ -294,9 +295,7 @@ std::vector<EngineFrameFiles> parse_frames(std::string_view line, int id, const 
   const auto given = reply.find("frames");
   if (given == reply.end() || !given->is_array()) reject("'frames' is no list");
   if (given->size() != frames) reject(fmt::format("it rendered {} frames of {}", given->size(), frames));
-  std::vector<EngineFrameFiles> all;
-  for (const Json& each : *given) all.push_back(frame_of(each, outputs));
-  return all;
+  return mapped(*given, [&](const Json& each) { return frame_of(each, outputs); });
 }
 
 }  // namespace umbrameter

@@ -28,7 +28,7 @@ std::vector<double> readable_axis(double texel, int last) {
       values.insert(values.end(), {value, -value});
     }
   }
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values;
 }
 
@@ -39,8 +39,8 @@ BiasCell cell_of(double constant, double slope, const VisibilityStatistics& s) {
 // Ascending; each bias once, as single precision has it.
 void sort_cells(std::vector<BiasCell>& cells) {
   const auto as_measured = [](const BiasCell& cell) { return static_cast<float>(cell.constant); };
-  std::stable_sort(cells.begin(), cells.end(),
-                   [&](const BiasCell& a, const BiasCell& b) { return as_measured(a) < as_measured(b); });
+  std::ranges::stable_sort(cells,
+                           [&](const BiasCell& a, const BiasCell& b) { return as_measured(a) < as_measured(b); });
   const auto is_same = [&](const BiasCell& a, const BiasCell& b) { return as_measured(a) == as_measured(b); };
   cells.erase(std::unique(cells.begin(), cells.end(), is_same), cells.end());
 }
@@ -65,8 +65,8 @@ class BiasCurveOfLight {
     // So little moves the ends of a plateau of 5 % by nothing that one reads.
     constexpr double accuracy = 1e-3;
     for (int round = 0;; ++round) {
-      const auto least = std::min_element(cells.begin(), cells.end(),
-                                          [](const BiasCell& a, const BiasCell& b) { return a.mae < b.mae; });
+      const auto least =
+          std::ranges::min_element(cells, [](const BiasCell& a, const BiasCell& b) { return a.mae < b.mae; });
       best = least->constant;
       const double floor = std::max(least_possible_error(cells), (1.0 - accuracy) * least->mae);
       std::vector<std::size_t> gaps = intervals_below(cells, (1.0 - accuracy) * least->mae);
@@ -74,7 +74,7 @@ class BiasCurveOfLight {
       const auto bound = [&](std::size_t i) {
         return cells[i + 1].acne + cells[i + 1].false_occlusion + cells[i].peter_panning + cells[i].leak;
       };
-      std::stable_sort(gaps.begin(), gaps.end(), [&](std::size_t a, std::size_t b) { return bound(a) < bound(b); });
+      std::ranges::stable_sort(gaps, [&](std::size_t a, std::size_t b) { return bound(a) < bound(b); });
       gaps.resize(std::min(gaps.size(), max_gaps));
       std::vector<double> biases;
       for (const BiasCell& cell : cells) biases.push_back(cell.constant);

@@ -77,8 +77,7 @@ Image<vec3> averaged(const Image<vec3>& fine) {
 // Whether there is more to see than one thing that fills the picture.
 bool shows_something(const GBuffer& gbuffer) {
   const std::uint32_t first = gbuffer.instance[0];
-  return std::any_of(gbuffer.instance.pixels.begin(), gbuffer.instance.pixels.end(),
-                     [&](std::uint32_t instance) { return instance != first; });
+  return std::ranges::any_of(gbuffer.instance.pixels, [&](std::uint32_t instance) { return instance != first; });
 }
 
 // Parallel cameras are for measuring. A scene whose cameras look at one plane is shown from the one that would be

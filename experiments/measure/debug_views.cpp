@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "core/suggestion.h"
 #include "raster/rasterizer.h"
 #include "raster/texture_image.h"
@@ -34,16 +35,6 @@ struct Wanted {
 
 bool is_of_light(std::string_view kind) { return kind == "shadow-map" || kind == "light-view"; }
 
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> parts;
-  for (std::size_t first = 0; first <= list.size();) {
-    const std::size_t comma = std::min(list.find(',', first), list.size());
-    if (comma > first) parts.push_back(list.substr(first, comma - first));
-    first = comma + 1;
-  }
-  return parts;
-}
-
 // What run.overlay may list: "all, unshadowed, …, shadow-map[:LIGHT]".
 std::string debug_view_names() {
   std::string names = "all";
@@ -55,7 +46,8 @@ std::string debug_view_names() {
 std::vector<Wanted> parse(const Stages& stages, const Experiment& experiment) {
   const bool has_light_buffer = experiment.shading.path == ShadingPath::deferred;
   std::vector<Wanted> all;
-  for (const std::string& name : split(experiment.run.overlay)) {
+  for (const std::string& name : split(experiment.run.overlay, ',')) {
+    if (name.empty()) continue;
     if (name == "all") {
       for (const std::string_view kind : view_kinds) {
         if (kind == "light-buffer" && !has_light_buffer) continue;
@@ -66,8 +58,7 @@ std::vector<Wanted> parse(const Stages& stages, const Experiment& experiment) {
     }
     const std::size_t colon = name.find(':');
     const std::string kind = name.substr(0, colon);
-    if (std::find(view_kinds.begin(), view_kinds.end(), kind) == view_kinds.end() ||
-        (colon != std::string::npos && !is_of_light(kind))) {
+    if (std::ranges::find(view_kinds, kind) == view_kinds.end() || (colon != std::string::npos && !is_of_light(kind))) {
       const std::vector<std::string> names(view_kinds.begin(), view_kinds.end());
       const std::string similar = suggestion(similar_names(kind, names));
       throw Error(ExitCode::usage, fmt::format("--overlay {}", name), "there is no such view",
@@ -257,8 +248,7 @@ class Views {
 
   // A view that is listed twice is shown once.
   void add(DebugView view) {
-    const bool is_new =
-        std::none_of(views_.begin(), views_.end(), [&](const DebugView& other) { return other.stem == view.stem; });
+    const bool is_new = std::ranges::none_of(views_, [&](const DebugView& other) { return other.stem == view.stem; });
     if (is_new) views_.push_back(std::move(view));
   }
 

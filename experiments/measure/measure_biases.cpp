@@ -15,7 +15,7 @@ std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, co
   axes.unit = experiment.shadow.bias.constant.unit;
   for (const double bias : constant) axes.constant.push_back(static_cast<float>(bias));
   for (const double factor : slope) axes.slope.push_back(static_cast<float>(factor));
-  std::sort(axes.constant.begin(), axes.constant.end());
+  std::ranges::sort(axes.constant);
   axes.constant.erase(std::unique(axes.constant.begin(), axes.constant.end()), axes.constant.end());
 
   const BiasHistogram histogram = stages.bias_response(experiment, light, axes);

@@ -25,7 +25,7 @@ ShardCuts cuts_with(const SweepCosts& costs, SweepPlan plan, std::size_t parts, 
 
 std::size_t divide_up(std::size_t number, std::size_t by) { return (number + by - 1) / by; }
 
-double longest(const ShardCuts& cuts) { return *std::max_element(cuts.seconds.begin(), cuts.seconds.end()); }
+double longest(const ShardCuts& cuts) { return *std::ranges::max_element(cuts.seconds); }
 
 }  // namespace
 
@@ -133,7 +133,7 @@ std::vector<std::size_t> GroupCosts::cut(std::size_t shards) const {
   }
   first.clear();
   for (const auto& [time, run] : runs) first.push_back(run.first);
-  std::sort(first.begin(), first.end());
+  std::ranges::sort(first);
   return first;
 }
 

@@ -147,7 +147,7 @@ Experiment declared(Stage stage, Experiment experiment) {
 bool depends_on(Stage stage, std::string_view parameter) {
   const std::vector<Stage>& before = inputs_of(stage).after;
   return reads(stage, parameter) ||
-         std::any_of(before.begin(), before.end(), [&](Stage earlier) { return depends_on(earlier, parameter); });
+         std::ranges::any_of(before, [&](Stage earlier) { return depends_on(earlier, parameter); });
 }
 
 double cost_of_change(std::string_view parameter) {

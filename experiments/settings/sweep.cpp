@@ -8,23 +8,13 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/lists.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr std::size_t max_values = 1'000'000;
 constexpr std::size_t max_cells = 1'000'000'000;
-
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (;;) {
-    const std::size_t end = text.find(separator, begin);
-    parts.emplace_back(text.substr(begin, end - begin));
-    if (end == std::string_view::npos) return parts;
-    begin = end + 1;
-  }
-}
 
 [[noreturn]] void reject(std::string_view key, std::string_view text, const std::string& why) {
   throw Error(ExitCode::usage, "--vary " + std::string(key) + "=" + std::string(text), why,
@@ -102,8 +92,7 @@ struct LengthReader {
 std::vector<std::string> parts_of(const Parameter& parameter, std::string_view text) {
   const auto* choice = std::get_if<ChoiceRef>(&parameter.field);
   if (choice == nullptr || text != "all") return split(text, ',');
-  return std::find(choice->names.begin(), choice->names.end(), "all") == choice->names.end() ? choice->names
-                                                                                             : split(text, ',');
+  return std::ranges::find(choice->names, "all") == choice->names.end() ? choice->names : split(text, ',');
 }
 
 }  // namespace
@@ -148,9 +137,7 @@ SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::st
         for (const double value : range) accept([&] { parameter.set(whole ? std::round(value) : value); });
       }
     } else if (is_length) {
-      std::vector<double> numbers;
-      for (const std::string& part : split(text, ',')) numbers.push_back(lengths(part));
-      accept_lengths(numbers);
+      accept_lengths(mapped(split(text, ','), lengths));
     } else {
       for (const std::string& part : parts_of(parameter, text)) accept([&] { parameter.set_text(part); });
     }

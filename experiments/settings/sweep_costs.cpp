@@ -54,7 +54,7 @@ std::vector<std::size_t> further_values(const SweepAxis& axis) {
   std::vector<std::size_t> places;
   if (!is_number(axis.values.front())) return places;
   const auto add = [&](std::size_t place) {
-    const bool is_new = std::find(places.begin(), places.end(), place) == places.end();
+    const bool is_new = std::ranges::find(places, place) == places.end();
     if (place > 0 && place + 1 < count && is_new) places.push_back(place);
   };
   for (const std::size_t place : {count / 2, count / 4, count * 3 / 4}) add(place);
@@ -65,7 +65,7 @@ std::vector<std::size_t> further_values(const SweepAxis& axis) {
 }
 
 double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values[(values.size() - 1) / 2];
 }
 

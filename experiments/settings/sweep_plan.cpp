@@ -103,10 +103,10 @@ SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes, 
   }
   for (std::size_t a = 0; a < plan.axes.size(); ++a) {
     const std::string& key = plan.axes[a].key;
-    if (std::find(inner.begin(), inner.end(), key) == inner.end()) plan.outer.push_back(a);
+    if (std::ranges::find(inner, key) == inner.end()) plan.outer.push_back(a);
   }
-  std::stable_sort(plan.outer.begin(), plan.outer.end(),
-                   [&](std::size_t a, std::size_t b) { return cost(plan.axes[a].key) > cost(plan.axes[b].key); });
+  std::ranges::stable_sort(
+      plan.outer, [&](std::size_t a, std::size_t b) { return cost(plan.axes[a].key) > cost(plan.axes[b].key); });
   for (const std::string_view key : inner) plan.inner.push_back(make_inner(parameters, plan, key));
   plan.constant_bias = make_inner(parameters, plan, constant_bias_key);
   plan.slope_bias = make_inner(parameters, plan, slope_bias_key);
@@ -126,7 +126,7 @@ std::vector<Value> values_at(const SweepPlan& plan, std::size_t cell) {
 
 std::vector<std::size_t> outer_axes_as_given(const SweepPlan& plan) {
   std::vector<std::size_t> axes = plan.outer;
-  std::sort(axes.begin(), axes.end());
+  std::ranges::sort(axes);
   return axes;
 }
 

@@ -15,7 +15,7 @@ constexpr int most_whole_numbers = 4096;
 
 // Ends of a range without a count; nothing for any other text.
 bool is_range(std::string_view text) {
-  const auto colons = std::count(text.begin(), text.end(), ':');
+  const auto colons = std::ranges::count(text, ':');
   return colons == 1 || (colons == 2 && text.ends_with(":log"));
 }
 
@@ -99,7 +99,7 @@ Value value_at(const TuneAxis& axis, double position) {
 double position_of(const TuneAxis& axis, const Value& value) {
   const std::vector<Value>& values = axis.axis.values;
   if (axis.is_word() || std::holds_alternative<std::string>(value)) {
-    const auto found = std::find(values.begin(), values.end(), value);
+    const auto found = std::ranges::find(values, value);
     if (found == values.end()) return -1.0;
     return values.size() < 2 ? 0.0
                              : static_cast<double>(found - values.begin()) / static_cast<double>(values.size() - 1);

@@ -93,8 +93,8 @@ std::vector<Item> items(const CacheFolder& folder, const char* extension) {
     if (!error) item.used = i->last_write_time(error);
     if (!error) found.push_back(std::move(item));
   }
-  std::sort(found.begin(), found.end(),
-            [](const Item& a, const Item& b) { return a.used != b.used ? a.used > b.used : a.path < b.path; });
+  std::ranges::sort(found,
+                    [](const Item& a, const Item& b) { return a.used != b.used ? a.used > b.used : a.path < b.path; });
   return found;
 }
 

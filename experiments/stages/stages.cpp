@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "raster/gl/timer.h"
 #include "raster/shadow/map_layer.h"
 #include "raytrace/pixel_shadow.h"
@@ -54,7 +55,7 @@ Stages::Stages(Scene scene, StageOptions options, const Console& console)
 
 void Stages::add_notes(const std::vector<std::string>& notes) {
   for (const std::string& text : notes) {
-    if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) continue;
+    if (std::ranges::find(notes_, text) != notes_.end()) continue;
     notes_.push_back(text);
     note(console_, text);
   }
@@ -65,8 +66,7 @@ std::vector<std::uint32_t> Stages::lights(const std::string& name_or_index) cons
 }
 
 void Stages::check_is_meaningful(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
-  std::vector<Light> measured;
-  for (const std::uint32_t light : lights) measured.push_back(scene_.lights[light]);
+  const std::vector<Light> measured = mapped(lights, [&](const std::uint32_t light) { return scene_.lights[light]; });
   require_sense(experiment.light, measured);
   require_sense(experiment.shadow.map, experiment.shadow.fit, measured);
 }
@@ -352,10 +352,9 @@ std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> exper
   if (has_engine()) return engine_visibility(experiments, light);
   const StageClock::Running running(*clock_, Stage::visibility);
   const HeldLookup held = shadow_lookup(experiments.front(), light, false);
-  std::vector<PrefilteredLookup> lookups;
-  for (const Experiment& each : experiments) {
-    lookups.push_back(lookup_of(each.shadow.bias, std::get<Prefiltered>(make_technique(each.shadow))));
-  }
+  const std::vector<PrefilteredLookup> lookups = mapped(experiments, [](const Experiment& each) {
+    return lookup_of(each.shadow.bias, std::get<Prefiltered>(make_technique(each.shadow)));
+  });
   return umbrameter::draw_lookups(context(), held.lookup, std::get<Prefiltered>(held.lookup.technique), lookups);
 }
 

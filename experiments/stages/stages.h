@@ -59,7 +59,7 @@ class Memo {
 
   /// make() receives the oldest value, if that has to give way and nobody else holds it, and may reuse its parts.
   std::shared_ptr<const T> remake(const std::string& key, const std::function<T(std::optional<T>)>& make) {
-    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.key == key; });
+    const auto found = std::ranges::find(kept_, key, &Kept::key);
     if (found != kept_.end()) {
       kept_.splice(kept_.begin(), kept_, found);
       return kept_.front().value;

@@ -49,7 +49,7 @@ class CellChoice {
     std::vector<std::size_t> indices;
     for (std::size_t a = 0; a < axes().size(); ++a) {
       const std::vector<Value>& values = axes()[a].values;
-      const auto found = std::find(values.begin(), values.end(), row[a]);
+      const auto found = std::ranges::find(values, row[a]);
       if (found == values.end()) return std::nullopt;
       indices.push_back(static_cast<std::size_t>(found - values.begin()));
     }

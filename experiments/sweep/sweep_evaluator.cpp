@@ -36,7 +36,7 @@ std::size_t images_per_pass(const Size& size) {
 }
 
 std::size_t index_of(const SweepAxis& axis, const Value& value) {
-  const auto found = std::find(axis.values.begin(), axis.values.end(), value);
+  const auto found = std::ranges::find(axis.values, value);
   return static_cast<std::size_t>(found - axis.values.begin());
 }
 
@@ -249,10 +249,9 @@ CellStatistics choose_statistics(const Stages& stages, const Experiment& experim
   if (quantity == SweptQuantity::ao) return AoStatistics{};
   if (quantity == SweptQuantity::image) return ImageStatistics{};
   const std::vector<std::uint32_t> lights = swept_lights(stages, experiment, axes, quantity);
-  const bool has_sampled_reference = varies_group(axes, "light.") || varies_group(axes, "truth.shadow") ||
-                                     std::any_of(lights.begin(), lights.end(), [&](std::uint32_t light) {
-                                       return stages.is_sampled(experiment, light);
-                                     });
+  const bool has_sampled_reference =
+      varies_group(axes, "light.") || varies_group(axes, "truth.shadow") ||
+      std::ranges::any_of(lights, [&](std::uint32_t light) { return stages.is_sampled(experiment, light); });
   if (has_sampled_reference) return SoftVisibilityStatistics{};
   bool all_sum_comparisons = true;
   for_each_technique(experiment, axes, [&](const Experiment& cell) {

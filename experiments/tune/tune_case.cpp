@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "experiments/measure/compared_case.h"
 #include "experiments/measure/measure_biases.h"
 #include "raster/gl/timer.h"
@@ -15,11 +16,7 @@
 namespace umbrameter {
 namespace {
 
-std::vector<SweepAxis> sweep_axes(const std::vector<TuneAxis>& axes) {
-  std::vector<SweepAxis> result;
-  for (const TuneAxis& axis : axes) result.push_back(axis.axis);
-  return result;
-}
+std::vector<SweepAxis> sweep_axes(const std::vector<TuneAxis>& axes) { return mapped(axes, &TuneAxis::axis); }
 
 double value_of(const Statistic& statistic) {
   if (const auto* const* estimate = std::get_if<Estimate*>(&statistic.field)) return (*estimate)->value;
@@ -35,8 +32,7 @@ class GoalReader {
       if (each.name == pixels_statistic) pixels_ = &each;
     }
     for (const Column& column : goal.columns) {
-      const auto found = std::find_if(statistics_.begin(), statistics_.end(),
-                                      [&](const Statistic& each) { return each.name == column.name; });
+      const auto found = std::ranges::find(statistics_, column.name, &Statistic::name);
       columns_.push_back(found == statistics_.end() ? nullptr : &*found);
     }
   }
@@ -105,7 +101,7 @@ std::optional<MetricColumn> find_metric(const std::string& name, SweptQuantity q
 bool is_of_causes(const std::string& name) {
   VisibilityStatistics statistics;
   const Statistics described = describe(statistics);
-  return std::any_of(described.begin(), described.end(), [&](const Statistic& each) { return each.name == name; });
+  return std::ranges::any_of(described, [&](const Statistic& each) { return each.name == name; });
 }
 
 // Image metrics are computed from the images; all else must be described.
@@ -113,8 +109,7 @@ void require_columns(const GoalReader& reader, const TuneCase& tuned, const Tune
   for (std::size_t c = 0; c < goal.columns.size(); ++c) {
     const std::string& name = goal.columns[c].name;
     if (reader.has(c) || name == pass_time_statistic || find_metric(name, tuned.quantity)) continue;
-    std::string names;
-    for (const Statistic& each : reader.statistics()) names += (names.empty() ? "" : ", ") + each.name;
+    const std::string names = joined(reader.statistics(), ", ", &Statistic::name);
     const bool needs_binary = tuned.quantity == SweptQuantity::visibility && is_of_causes(name) &&
                               tuned.stages->is_sampled(tuned.experiment, tuned.light);
     throw Error(ExitCode::usage, tuned.title,
@@ -150,11 +145,7 @@ void set_time(CaseValues& values, const TuneGoal& goal, double time) {
 
 }  // namespace
 
-std::vector<std::string> titles_of(const std::vector<TuneCase>& cases) {
-  std::vector<std::string> titles;
-  for (const TuneCase& each : cases) titles.push_back(each.title);
-  return titles;
-}
+std::vector<std::string> titles_of(const std::vector<TuneCase>& cases) { return mapped(cases, &TuneCase::title); }
 
 void require_statistics(const TuneCase& tuned, const TuneGoal& goal) {
   CellStatistics statistics = choose_statistics(*tuned.stages, tuned.experiment, {}, tuned.quantity);
@@ -229,7 +220,7 @@ BlocksOfCase measure_without_blocks(const TuneCase& tuned, const Experiment& exp
   for (std::size_t i = 0; i < pixels; ++i) {
     if (drawn.images.is_counted(i)) is_used[static_cast<std::size_t>(block_of(i))] = true;
   }
-  if (std::count(is_used.begin(), is_used.end(), true) < 2) return blocks;
+  if (std::ranges::count(is_used, true) < 2) return blocks;
   for (int block = 0; block < block_grid * block_grid; ++block) {
     if (!is_used[static_cast<std::size_t>(block)]) continue;
     blocks.without.push_back(values_of(drawn, tuned, goal, [&](std::size_t i) { return block_of(i) == block; }));

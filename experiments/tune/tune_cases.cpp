@@ -79,7 +79,7 @@ std::string unused_camera(const std::vector<TuneCase>& cases) {
     Experiment experiment = cases.front().experiment;
     std::vector<std::string> notes;
     const Camera& camera = scene.cameras[i];
-    const bool is_used = std::any_of(cases.begin(), cases.end(), [&](const TuneCase& each) {
+    const bool is_used = std::ranges::any_of(cases, [&](const TuneCase& each) {
       const double aspect = static_cast<double>(each.experiment.view.size.width) / each.experiment.view.size.height;
       const Camera used = select_camera(scene, each.experiment.view.camera, aspect, notes);
       return used.name == camera.name && camera_content(used) == camera_content(camera);

@@ -23,7 +23,7 @@ std::vector<double> dense_values(const Parameters& parameters, const TuneAxis& a
     const std::string text = fmt::format("{}:{}{}", ends, count, axis.is_logarithmic ? ":log" : "");
     for (const Value& value : parse_axis(parameters, axis.key(), text).values) values.push_back(to_number(value));
   }
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
@@ -61,9 +61,8 @@ PointMeasurer::PointMeasurer(const std::vector<TuneAxis>& axes, const std::vecto
                              const TuneGoal& goal)
     : axes_(axes), cases_(cases), layout_{cases.size(), goal.columns.size(), std::nullopt} {
   const bool is_exact =
-      std::all_of(cases.begin(), cases.end(), [&](const TuneCase& each) { return has_exact_bias(each, axes, goal); });
-  const auto found =
-      std::find_if(axes.begin(), axes.end(), [](const TuneAxis& axis) { return axis.key() == constant_bias_key; });
+      std::ranges::all_of(cases, [&](const TuneCase& each) { return has_exact_bias(each, axes, goal); });
+  const auto found = std::ranges::find(axes, constant_bias_key, &TuneAxis::key);
   if (!is_exact || found == axes.end()) return;
   layout_.exact = static_cast<std::size_t>(found - axes.begin());
   Experiment experiment;

@@ -98,8 +98,8 @@ class Guesser {
   }
 
   static double spread_of(const std::vector<std::pair<double, const Sample*>>& near) {
-    const auto [least, most] = std::minmax_element(
-        near.begin(), near.end(), [](const auto& x, const auto& y) { return x.second->number < y.second->number; });
+    const auto [least, most] = std::ranges::minmax_element(
+        near, [](const auto& x, const auto& y) { return x.second->number < y.second->number; });
     return spread_of_guesses * (most->second->number - least->second->number);
   }
 
@@ -181,7 +181,7 @@ NextRound next_round(const SearchInput& input, const KnownPoints& known, std::si
   }
   std::vector<Candidate> sorted;
   for (auto& [key, candidate] : candidates) sorted.push_back(std::move(candidate));
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Candidate& a, const Candidate& b) {
+  std::ranges::stable_sort(sorted, [](const Candidate& a, const Candidate& b) {
     return a.count != b.count ? a.count > b.count : a.first < b.first;
   });
   for (Candidate& each : sorted) {

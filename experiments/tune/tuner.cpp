@@ -40,7 +40,7 @@ void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& 
       cells[i].acne = std::max(cells[i].acne, measured.front()[i].acne);
     }
   }
-  std::sort(cells.begin(), cells.end(), [](const BiasCell& a, const BiasCell& b) { return a.constant < b.constant; });
+  std::ranges::sort(cells, [](const BiasCell& a, const BiasCell& b) { return a.constant < b.constant; });
   result.plateau = plateau_of(cells);
 }
 

@@ -46,8 +46,8 @@ struct Layout {
 
 bool needs_texcoords(const Scene& scene, const Mesh& mesh) {
   const Material& material = scene.materials.at(mesh.material);
-  return !mesh.texcoords.empty() && std::any_of(texture_members.begin(), texture_members.end(),
-                                                [&](auto member) { return (material.*member).has_value(); });
+  return !mesh.texcoords.empty() &&
+         std::ranges::any_of(texture_members, [&](auto member) { return (material.*member).has_value(); });
 }
 
 Layout lay_out(const Scene& scene) {

@@ -43,7 +43,7 @@ void append_file(ShaderText& shader, const std::string& file, const std::string&
       shader.text += line + "\n";
       continue;
     }
-    if (std::find(shader.files.begin(), shader.files.end(), name) == shader.files.end()) {
+    if (std::ranges::find(shader.files, name) == shader.files.end()) {
       append_file(shader, name, defines, load, file + ":" + std::to_string(row));
     }
     shader.text += "#line " + std::to_string(row + 1) + " " + number + "\n";

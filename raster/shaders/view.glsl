@@ -1,4 +1,4 @@
-// The camera, in double precision. raster/gbuffer/view_block.h fills it.
+// The camera, in double precision. raster/gbuffer/view_block.cpp fills it.
 layout(std140) uniform View {
   dmat4 clip_from_world;
   dmat4 view_from_world;

@@ -9,17 +9,9 @@ namespace umbrameter {
 namespace {
 
 gl::Format texture_format(NormalFormat format) {
-  switch (format) {
-    case NormalFormat::rgb32f:
-      return gl::Format::rgba32f;
-    case NormalFormat::rgb16f:
-      return gl::Format::rgba16f;
-    case NormalFormat::rg16:
-      return gl::Format::rg16;
-    case NormalFormat::rgb8:
-      break;
-  }
-  return gl::Format::rgba8;
+  if (format == NormalFormat::rgb32f) return gl::Format::rgba32f;
+  if (format == NormalFormat::rgb16f) return gl::Format::rgba16f;
+  return format == NormalFormat::rg16 ? gl::Format::rg16 : gl::Format::rgba8;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace umbrameter {
 
 LightBlock make_light_block(const Light& light, const MapLayout& layout) {
-  LightBlock block;
+  LightBlock block{};
   block.light_from_world = layout.light_from_world;
   block.light_in_world = homogeneous_position(light);
   for (int face = 0; face < 6; ++face) {
@@ -16,16 +16,15 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
   }
   block.view_count = static_cast<int>(layout.views.size());
   for (std::size_t v = 0; v < layout.views.size(); ++v) {
-    block.views[v] = dvec4(layout.views[v].center, layout.views[v].half_extent, layout.views[v].farthest);
+    block.map_views[v] = dvec4(layout.views[v].center, layout.views[v].half_extent, layout.views[v].farthest);
   }
   block.view_depth_plane = layout.view_depth_plane;
-  if (layout.warp) {
-    block.warp_center = layout.warp->center;
-    block.warp_scale = layout.warp->scale;
-    block.warp_shift = layout.warp->shift;
-    block.warp_middle_depth = layout.warp->middle_depth;
-    block.warp_depth_scale = layout.warp->depth_scale;
-  }
+  const MapWarp warp = layout.warp.value_or(MapWarp{});
+  block.warp_center = warp.center;
+  block.warp_scale = warp.scale;
+  block.warp_shift = warp.shift;
+  block.warp_middle_depth = warp.middle_depth;
+  block.warp_depth_scale = warp.depth_scale;
   block.fade_start = layout.fade_start;
   block.nearest_view_depth = layout.nearest_view_depth;
   block.cascade_blend = layout.blend;

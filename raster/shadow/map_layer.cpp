@@ -21,15 +21,8 @@ bool is_reversed(int mapping) {
 bool writes_depth(const MapLayout& layout) { return is_projective(layout.kind) || layout.warp; }
 
 DrawnFor use_of(CasterFaces faces) {
-  switch (faces) {
-    case CasterFaces::front:
-      return DrawnFor::shadow_of_front_faces;
-    case CasterFaces::back:
-      return DrawnFor::shadow_of_back_faces;
-    case CasterFaces::all:
-      break;
-  }
-  return DrawnFor::shadow;
+  if (faces == CasterFaces::front) return DrawnFor::shadow_of_front_faces;
+  return faces == CasterFaces::back ? DrawnFor::shadow_of_back_faces : DrawnFor::shadow;
 }
 
 // Where a shader writes the depth, it adds the polygon offset, too: the hardware's has no effect there.
@@ -102,16 +95,8 @@ std::string defines_of(const MapSource& source, int mapping) {
 }  // namespace
 
 gl::Format texture_format(MapDepthFormat format) {
-  switch (format) {
-    case MapDepthFormat::fixed24:
-      return gl::Format::depth24;
-    case MapDepthFormat::fixed16:
-      return gl::Format::depth16;
-    case MapDepthFormat::f16:
-    case MapDepthFormat::f32:
-      break;
-  }
-  return gl::Format::depth32f;
+  if (format == MapDepthFormat::fixed24) return gl::Format::depth24;
+  return format == MapDepthFormat::fixed16 ? gl::Format::depth16 : gl::Format::depth32f;
 }
 
 void draw_map_layer(const MapSource& source, const MapLayer& layer) {

@@ -26,7 +26,7 @@ struct ResponseBlock {
 static_assert(sizeof(ResponseBlock) == 32);
 
 ResponseBlock make_block(const BiasAxes& axes) {
-  const auto [least, largest] = std::minmax_element(axes.slope.begin(), axes.slope.end());
+  const auto [least, largest] = std::ranges::minmax_element(axes.slope);
   return {axes.constant.front(),
           axes.constant.back(),
           *least,
@@ -103,7 +103,7 @@ static_assert(sizeof(UnresolvedTap) % sizeof(std::uint32_t) == 0);
 
 BiasHistogram draw_bias_response(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes) {
   assert(lookup.truth != nullptr && !axes.constant.empty() && !axes.slope.empty());
-  assert(std::is_sorted(axes.constant.begin(), axes.constant.end()));
+  assert(std::ranges::is_sorted(axes.constant));
   BiasHistogram histogram{axes, kernel_of(lookup).weight_sum(), {}};
   const std::size_t bytes = (axes.constant.size() + 1) * constant("HISTOGRAM_WORDS") * sizeof(std::uint32_t);
   const std::size_t at_once = std::max<std::size_t>(max_histogram_bytes / bytes, 1);

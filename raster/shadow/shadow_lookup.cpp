@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "raster/shader_interface.h"
 #include "raster/shadow/light_block.h"
 #include "raster/texture_image.h"
@@ -29,9 +30,7 @@ constexpr std::size_t min_at_once = 4096;
 constexpr std::size_t max_at_once = std::size_t{65535} * constant("LIST_GROUP_SIZE");
 
 std::string list_of(const std::vector<vec2>& values) {
-  std::string text;
-  for (const vec2& v : values) text += fmt::format("{}vec2({:.9e}, {:.9e})", text.empty() ? "" : ", ", v.x, v.y);
-  return text;
+  return joined(values, ", ", [](const vec2& v) { return fmt::format("vec2({:.9e}, {:.9e})", v.x, v.y); });
 }
 
 // What shaders/shadow_filter.glsl needs of a kernel. The radius is a uniform and not included.
@@ -94,7 +93,8 @@ gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, Len
   block.cone_bias = static_cast<float>(lookup.bias.cone);
   block.bias_unit = static_cast<int>(bias_unit);
   for (std::size_t v = 0; v < lookup.map.layout.views.size(); ++v) {
-    block.bias_factors[v] = static_cast<float>(bias_factor(lookup.map.layout.views[v], bias_unit));
+    block.bias_factors[v / 4][static_cast<int>(v % 4)] =
+        static_cast<float>(bias_factor(lookup.map.layout.views[v], bias_unit));
   }
   std::string defines = map_defines(lookup.map.layout) + source.defines +
                         define("RECEIVER_PLANE", lookup.bias.receiver_plane ? 1 : 0) +

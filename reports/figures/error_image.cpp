@@ -102,8 +102,7 @@ Image<std::uint8_t> enlarge_errors(const Image<std::uint8_t>& category, const st
 bool has_single_errors(const ImageFigure& figure, const ErrorImage& error) {
   if (!error.shows_errors) return false;
   if (figure.values.empty()) return true;
-  const auto right = std::count_if(figure.values.pixels.begin(), figure.values.pixels.end(),
-                                   [](float value) { return !(std::abs(value) > 0.0f); });
+  const auto right = std::ranges::count_if(figure.values.pixels, [](float value) { return !(std::abs(value) > 0.0f); });
   return 2 * static_cast<std::size_t>(right) >= figure.values.size();
 }
 
@@ -155,8 +154,8 @@ void add_worst_insets(const std::vector<Figure>& figures, ErrorImages& errors) {
 void complete_error_images(std::vector<Figure>& figures, ErrorImages& errors, const FigureStyle& style) {
   const auto is_worst = [](const Inset& inset) { return inset.width == 0; };
   const std::vector<Inset>& asked = style.insets;
-  if (std::any_of(asked.begin(), asked.end(), is_worst)) add_worst_insets(figures, errors);
-  const bool has_regions = !std::all_of(asked.begin(), asked.end(), is_worst);
+  if (std::ranges::any_of(asked, is_worst)) add_worst_insets(figures, errors);
+  const bool has_regions = !std::ranges::all_of(asked, is_worst);
   for (Figure& each : figures) {
     auto* const image = std::get_if<ImageFigure>(&each);
     const ErrorImage* error = image != nullptr ? find(errors, *image) : nullptr;

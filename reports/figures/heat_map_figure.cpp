@@ -29,7 +29,7 @@ std::vector<double> different_numbers(const Table& table, std::size_t column, bo
     const std::optional<double> value = number(row[column]);
     if (value && std::isfinite(*value) && (!positive || *value > 0.0)) values.push_back(*value);
   }
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
@@ -44,7 +44,7 @@ std::vector<double> cell_edges(const std::vector<double>& values, bool logarithm
       edges.push_back(0.5 * value);
       edges.push_back(value == 0.0 ? 1.0 : 1.5 * value);
     }
-    std::sort(edges.begin(), edges.end());
+    std::ranges::sort(edges);
     return edges;
   }
   const double first = middle(values[0], values[1]);
@@ -82,7 +82,7 @@ std::vector<double> steps_of(const HeatMapFigure& figure) {
     const std::optional<double> value = number(row[column]);
     if (value && std::isfinite(*value)) values.push_back(*value);
   }
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   if (values.empty()) return {1.0};
   // Two digits are easier to read, and their labels leave each other room.
   std::vector<double> steps = steps_at(values, shares, 2);
@@ -186,7 +186,7 @@ Json make_panel(const HeatMapFigure& figure, const Cells& cells, const std::vect
                 const PanelLayout& layout) {
   std::vector<std::string> rows = different_values(figure.data, column_of(figure.data, figure.stem, figure.y.column));
   if (is_numeric(figure.data, column_of(figure.data, figure.stem, figure.y.column))) {
-    std::reverse(rows.begin(), rows.end());
+    std::ranges::reverse(rows);
   }
   const int height = std::clamp(row_height * static_cast<int>(rows.size()), least_panel_height, max_panel_height);
   const Json y = {{"field", "y"},

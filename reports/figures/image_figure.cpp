@@ -168,8 +168,7 @@ int add_color_bar(std::string& svg, const Layout& layout, const ImageFigure& fig
                         number_text(scale.first + share * range, std::abs(range)));
   }
   const int label = tick_end + layout.unit * 5 / 2;
-  const bool has_gaps =
-      std::any_of(figure.values.pixels.begin(), figure.values.pixels.end(), [](float v) { return std::isnan(v); });
+  const bool has_gaps = std::ranges::any_of(figure.values.pixels, [](float v) { return std::isnan(v); });
   svg += text_element(x + 0.5 * layout.width, label, layout.unit, "middle", scale.label);
   if (has_gaps) {
     svg += swatch(x, label - layout.unit * 4 / 5, layout.unit, "#ff00ff");

@@ -77,9 +77,8 @@ InsetLayout place_insets(const std::vector<Inset>& insets, ivec2 image, int imag
     }
   }
   if (best == 1.0) {
-    const auto largest = std::max_element(insets.begin(), insets.end(), [](const Inset& a, const Inset& b) {
-      return a.width * a.height < b.width * b.height;
-    });
+    const auto largest = std::ranges::max_element(
+        insets, [](const Inset& a, const Inset& b) { return a.width * a.height < b.width * b.height; });
     throw Error(ExitCode::partial,
                 fmt::format("--inset {},{},{},{}", largest->x, largest->y, largest->width, largest->height),
                 fmt::format("there is no room to enlarge {} insets of an image of {}×{} pixels", insets.size(), image.x,

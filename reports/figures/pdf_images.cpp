@@ -93,7 +93,7 @@ std::string with_images(std::string_view pdf, const std::vector<const DeflatedIm
   const References references = read_references(pdf);
   std::vector<std::size_t> places = references.objects;
   places.push_back(references.place);
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   std::string result(pdf.substr(0, places.front()));
   std::string table = fmt::format("xref\n0 {}\n0000000000 65535 f \n", references.objects.size() + 1);
   std::size_t replaced = 0;

@@ -43,7 +43,7 @@ std::string ordered_color(std::size_t i, std::size_t count) {
 // The place of a value among those that have a colour of their own; past the last one if it has none.
 std::size_t own_place(const PlotFigure& figure, const std::string& name) {
   const auto& all = figure.series_colors;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const CategoryColor& own) { return own.name == name; });
+  const auto found = std::ranges::find(all, name, &CategoryColor::name);
   return static_cast<std::size_t>(found - all.begin());
 }
 
@@ -73,8 +73,8 @@ void select_marked(Json& rows, const std::vector<std::string>& series) {
   for (Json& row : rows) {
     const std::string line = line_of(row);
     const std::size_t step = std::max<std::size_t>(1, lengths[line] / markers_of_a_line);
-    const auto index = static_cast<std::size_t>(
-        std::find(series.begin(), series.end(), row.at("s").get<std::string>()) - series.begin());
+    const auto index =
+        static_cast<std::size_t>(std::ranges::find(series, row.at("s").get<std::string>()) - series.begin());
     const std::size_t first = step * (2 * index + 1) / (2 * series.size());
     row["q"] = places[line]++ % step == first;
   }
@@ -186,7 +186,7 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
   const auto differs = [&](const Json& row) { return row.at(field) != rows.front().at(field); };
   if (rows.empty()) {
     result["scale"]["domain"] = axis.logarithmic ? Json{1, 10} : Json{0, 1};
-  } else if (is_x && std::none_of(rows.begin(), rows.end(), differs)) {
+  } else if (is_x && std::ranges::none_of(rows, differs)) {
     result["axis"]["values"] = {rows.front().at(field)};
     result["axis"]["format"] = "~g";
   }
@@ -286,7 +286,7 @@ Json make_layers(const PlotFigure& figure, const FigureStyle& style, const Point
 
   Json layers = Json::array();
   const auto is_negative = [](const Json& row) { return row.at("y").get<double>() < 0.0; };
-  if (std::any_of(points.rows.begin(), points.rows.end(), is_negative)) {
+  if (std::ranges::any_of(points.rows, is_negative)) {
     Json zero = y;
     zero.erase("field");
     zero["datum"] = 0;
@@ -303,7 +303,7 @@ Json make_layers(const PlotFigure& figure, const FigureStyle& style, const Point
   }
   const Json is_joined = {{{"filter", "!datum.k"}}};
   const auto is_of_line = [](const Json& row) { return !row.contains("k") || !row.at("k").get<bool>(); };
-  const bool has_line = points.rows.empty() || std::any_of(points.rows.begin(), points.rows.end(), is_of_line);
+  const bool has_line = points.rows.empty() || std::ranges::any_of(points.rows, is_of_line);
   if (has_lines && has_line) {
     Json line = layer({{"type", "line"}, {"strokeWidth", 2.2}});
     if (series && !figure.style) line["encoding"]["strokeDash"] = series->dash;
@@ -331,7 +331,7 @@ Json make_layers(const PlotFigure& figure, const FigureStyle& style, const Point
   }
   // A layer without points would have no extent, which the drawer calls a mistake.
   const auto is_marked = [](const Json& row) { return row.contains("k") && row.at("k").get<bool>(); };
-  if (std::any_of(points.rows.begin(), points.rows.end(), is_marked)) {
+  if (std::ranges::any_of(points.rows, is_marked)) {
     Json ring = layer({{"type", "point"}, {"size", 130}, {"strokeWidth", 2.4}, {"fill", "white"}, {"opacity", 1}});
     ring["transform"] = {{{"filter", "datum.k"}}};
     layers.push_back(std::move(ring));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "reports/files/text_layout.h"
 
 namespace umbrameter {
@@ -103,8 +104,7 @@ std::optional<double> number(const Value& value) {
 
 std::size_t column_of(const Table& table, const std::string& stem, const std::string& name) {
   const std::vector<Column>& columns = table.columns;
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
+  const auto found = std::ranges::find(columns, name, &Column::name);
   if (found == columns.end()) {
     throw Error(ExitCode::partial, "figure " + stem, "its table has no column '" + name + "'");
   }
@@ -112,21 +112,19 @@ std::size_t column_of(const Table& table, const std::string& stem, const std::st
 }
 
 bool is_numeric(const Table& table, std::size_t column) {
-  return std::all_of(table.rows.begin(), table.rows.end(),
-                     [&](const std::vector<Value>& row) { return number(row[column]).has_value(); });
+  return std::ranges::all_of(table.rows,
+                             [&](const std::vector<Value>& row) { return number(row[column]).has_value(); });
 }
 
 std::vector<std::string> different_values(const Table& table, std::size_t column) {
   std::vector<Value> values;
   for (const std::vector<Value>& row : table.rows) {
-    if (std::find(values.begin(), values.end(), row[column]) == values.end()) values.push_back(row[column]);
+    if (std::ranges::find(values, row[column]) == values.end()) values.push_back(row[column]);
   }
   if (is_numeric(table, column)) {
-    std::sort(values.begin(), values.end(), [](const Value& a, const Value& b) { return *number(a) < *number(b); });
+    std::ranges::sort(values, [](const Value& a, const Value& b) { return *number(a) < *number(b); });
   }
-  std::vector<std::string> texts;
-  for (const Value& value : values) texts.push_back(to_string(value));
-  return texts;
+  return mapped(values, [](const Value& value) { return to_string(value); });
 }
 
 Json plot_fields(const std::vector<PlotField>& fields, std::size_t keys) {

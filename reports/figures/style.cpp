@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <optional>
 #include <string_view>
 
 #include "core/error.h"
+#include "core/lists.h"
 
 namespace umbrameter {
 namespace {
@@ -30,25 +30,8 @@ constexpr std::array<NamedStyle, 3> styles = {
 constexpr double min_side = 20.0;    // [mm]
 constexpr double max_side = 2000.0;  // [mm]
 
-// The numbers of a text such as "84x60" or "1,2,3,4"; nothing if it is anything else.
-template <class Number>
-std::optional<std::vector<Number>> numbers_of(std::string_view text, char separator) {
-  std::vector<Number> numbers;
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  while (true) {
-    Number number{};
-    const auto [next, problem] = std::from_chars(at, end, number);
-    if (problem != std::errc() || next == at) return std::nullopt;
-    numbers.push_back(number);
-    if (next == end) return numbers;
-    if (*next != separator) return std::nullopt;
-    at = next + 1;
-  }
-}
-
 void set_size(FigureStyle& style, const std::string& text) {
-  const std::optional<std::vector<double>> size = numbers_of<double>(text, 'x');
+  const std::optional<std::vector<double>> size = parsed_list<double>(text, 'x');
   const auto fits = [](double side) { return side >= min_side && side <= max_side; };
   if (!size || size->size() > 2 || !std::all_of(size->begin(), size->end(), fits)) {
     throw Error(ExitCode::usage, "--figure-size " + text, "not a size in millimetres",
@@ -60,7 +43,7 @@ void set_size(FigureStyle& style, const std::string& text) {
 
 Inset parse_inset(const std::string& text) {
   if (text == "worst") return {};  // no region yet: add_worst_insets() finds it
-  const std::optional<std::vector<int>> numbers = numbers_of<int>(text, ',');
+  const std::optional<std::vector<int>> numbers = parsed_list<int>(text, ',');
   if (!numbers || numbers->size() != 4 || (*numbers)[2] < 1 || (*numbers)[3] < 1) {
     throw Error(ExitCode::usage, "--inset " + text, "not a rectangle in pixels",
                 "give X,Y,WIDTH,HEIGHT from the top left, such as 100,80,60,40, or worst");
@@ -70,9 +53,8 @@ Inset parse_inset(const std::string& text) {
 
 // A family becomes part of SVG and of CSS.
 bool is_font_name(std::string_view name) {
-  return std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == ' ' || c == '-' || c == '_' || c >= 0x80;
-  });
+  return std::ranges::all_of(
+      name, [](unsigned char c) { return std::isalnum(c) != 0 || c == ' ' || c == '-' || c == '_' || c >= 0x80; });
 }
 
 }  // namespace
@@ -80,8 +62,7 @@ bool is_font_name(std::string_view name) {
 FigureStyle make_figure_style(const FigureOptions& options) {
   FigureStyle style;
   if (!options.style.empty()) {
-    const auto named =
-        std::find_if(styles.begin(), styles.end(), [&](const NamedStyle& each) { return each.name == options.style; });
+    const auto named = std::ranges::find(styles, options.style, &NamedStyle::name);
     if (named == styles.end()) {
       throw Error(ExitCode::usage, "--figure-style " + options.style, "unknown style", "use column, page or slide");
     }

@@ -33,7 +33,7 @@ double clear_labels(Json& rows, double unit, double highest) {
   for (Json& row : rows) {
     double at = row.at("top").get<double>();
     std::array<double, 3> lines = {0.0, row.at("from").get<double>(), row.at("to").get<double>()};
-    std::sort(lines.begin(), lines.end());
+    std::ranges::sort(lines);
     for (const double line : lines) {
       if (line > at && line < at + label_height * unit) at = line;
     }

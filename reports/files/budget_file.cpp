@@ -26,7 +26,7 @@ class EntryReader {
     static const std::vector<std::string> known = {"statistic", "bound", "scene", "kind", "light"};
     for (const auto& [key, node] : table_) {
       const std::string name(key.str());
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      if (std::ranges::find(known, name) != known.end()) continue;
       const std::string similar = suggestion(similar_names(name, known));
       throw Error(ExitCode::usage, place_of(path_, node), fmt::format("unknown key '{}'", name),
                   similar.empty() ? "a budget has statistic, bound, scene, kind and light" : similar);
@@ -42,7 +42,7 @@ class EntryReader {
     entry.bound = bound();
     entry.scene = text("scene");
     entry.kind = text("kind");
-    if (!entry.kind.empty() && std::find(kinds.begin(), kinds.end(), entry.kind) == kinds.end()) {
+    if (!entry.kind.empty() && std::ranges::find(kinds, entry.kind) == kinds.end()) {
       throw Error(ExitCode::usage, place_of(path_, *table_.get("kind")), fmt::format("'{}' is no kind", entry.kind),
                   "choose shadow, ao or image");
     }

@@ -56,8 +56,8 @@ std::string text_of(const toml::node& node, const std::string& key, const std::s
 std::string to_toml(const std::string& scene, const Parameters& parameters,
                     const std::vector<std::pair<std::string, std::string>>& axes) {
   // A top-level key and a table cannot have the same name.
-  const bool is_table = std::any_of(parameters.begin(), parameters.end(),
-                                    [](const Parameter& parameter) { return parameter.key.starts_with("scene."); });
+  const bool is_table =
+      std::ranges::any_of(parameters, [](const Parameter& parameter) { return parameter.key.starts_with("scene."); });
   std::string text = is_table ? "" : "scene = " + toml_string(scene) + "\n";
   std::string group;
   for (const Parameter& parameter : parameters) {
@@ -108,7 +108,7 @@ ExperimentFile read_experiment(const std::filesystem::path& path) {
       }
     }
   }
-  std::sort(axes.begin(), axes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::sort(axes, [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& [position, axis] : axes) result.axes.push_back(std::move(axis));
   return result;
 }

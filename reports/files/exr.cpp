@@ -73,7 +73,7 @@ void check(const std::filesystem::path& path, const LayeredImage& image) {
   std::set<std::string> names;
   for (const Channel& channel : image.channels) {
     // Viewers take what stands before the last dot as the layer, some split at every dot.
-    if (channel.name.empty() || std::count(channel.name.begin(), channel.name.end(), '.') > 1) {
+    if (channel.name.empty() || std::ranges::count(channel.name, '.') > 1) {
       refuse("'" + channel.name + "' is not a valid channel name: it may have at most one dot");
     }
     if (!names.insert(channel.name).second) refuse("two channels have the name '" + channel.name + "'");

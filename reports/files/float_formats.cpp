@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -11,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "core/lists.h"
 
 namespace umbrameter {
 namespace {
@@ -51,12 +52,8 @@ class Bytes {
 
 template <class T>
 T number(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw std::runtime_error("'" + std::string(text.substr(0, 20)) + "' in the header is not a number");
-  }
-  return value;
+  if (const std::optional<T> value = parsed<T>(text)) return *value;
+  throw std::runtime_error("'" + std::string(text.substr(0, 20)) + "' in the header is not a number");
 }
 
 int side(std::string_view text) {

@@ -14,6 +14,7 @@
 #include "compare/metrics/color_space.h"
 #include "core/error.h"
 #include "core/input_file.h"
+#include "core/lists.h"
 #include "reports/files/exr.h"
 #include "reports/files/float_formats.h"
 #include "reports/files/png.h"
@@ -31,8 +32,7 @@ std::string layer_of(const std::string& channel) {
 }
 
 const Image<float>* channel(const LayeredImage& file, const std::string& name) {
-  const auto found = std::find_if(file.channels.begin(), file.channels.end(),
-                                  [&](const Channel& candidate) { return candidate.name == name; });
+  const auto found = std::ranges::find(file.channels, name, &Channel::name);
   return found == file.channels.end() ? nullptr : &found->values;
 }
 
@@ -69,11 +69,9 @@ ColorImage read_exr_color(std::string_view bytes, const std::filesystem::path& p
   std::set<std::string> layers;
   for (const Channel& each : file.channels) layers.insert(layer_of(each.name));
   if (layer.empty() && layers.size() == 1 && take_layer(file, *layers.begin(), result)) return result;
-  std::string names;
-  for (const Channel& each : file.channels) names += (names.empty() ? "" : ", ") + each.name;
   throw Error(ExitCode::usage, path.string(),
               layer.empty() ? "no channels R, G and B, and more than one layer" : "no layer '" + layer + "'",
-              "choose from its channels: " + names);
+              "choose from its channels: " + joined(file.channels, ", ", &Channel::name));
 }
 
 // Light of each 16-bit code value, by the file's own curve. A gamma within 5 % of 1/2.2 means the curve of sRGB, as it

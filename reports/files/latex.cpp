@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/lists.h"
 #include "reports/files/markup.h"
 
 namespace umbrameter {
@@ -41,11 +42,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 27> replacem
     {"\xEF\xBF\xBD", "?"},
 }};
 
-std::string row_text(const std::vector<std::string>& cells) {
-  std::string text = "  ";
-  for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? " & " : "") + cells[i];
-  return text + " \\\\\n";
-}
+std::string row_text(const std::vector<std::string>& cells) { return "  " + joined(cells, " & ") + " \\\\\n"; }
 
 // A column whose texts begin like numbers is aligned as numbers.
 bool is_number_text(const Value& value) {
@@ -84,7 +81,7 @@ std::string escape_latex(std::string_view text) {
     const auto starts_here = [&](const auto& pair) {
       return std::string_view(plain).substr(i).starts_with(pair.first);
     };
-    const auto found = std::find_if(replacements.begin(), replacements.end(), starts_here);
+    const auto found = std::ranges::find_if(replacements, starts_here);
     if (found == replacements.end()) {
       result += plain[i++];
     } else {
@@ -101,8 +98,8 @@ std::string to_latex(const Table& table, std::string_view note) {
   std::vector<std::string> units;
   bool has_units = false;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const bool is_number = !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(),
-                                                              [&](const auto& row) { return is_number_text(row[c]); });
+    const bool is_number =
+        !table.rows.empty() && std::ranges::all_of(table.rows, [&](const auto& row) { return is_number_text(row[c]); });
     alignment += is_number ? 'r' : 'l';
     const Column& column = table.columns[c];
     names.push_back(escape_latex(column.name));
@@ -117,8 +114,8 @@ std::string to_latex(const Table& table, std::string_view note) {
   if (has_units) text += row_text(units);
   text += "  \\midrule\n";
   for (const std::vector<Value>& row : table.rows) {
-    std::vector<std::string> cells;
-    for (const Value& value : row) cells.push_back(escape_latex(to_string(value)));
+    const std::vector<std::string> cells =
+        mapped(row, [](const Value& value) { return escape_latex(to_string(value)); });
     text += row_text(cells);
   }
   text += "  \\bottomrule\n";

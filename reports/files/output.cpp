@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <fstream>
 #include <optional>
@@ -16,6 +15,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/lists.h"
 
 namespace umbrameter {
 namespace {
@@ -51,11 +51,8 @@ std::optional<pid_t> writer_of(const fs::path& path) {
   if (!name.starts_with('.') || !name.ends_with(".tmp")) return {};
   const std::string stem = name.substr(0, name.size() - 4);
   if (!stem.substr(0, stem.rfind('.')).ends_with("." + host_name())) return {};
-  const char* digits = stem.c_str() + stem.rfind('.') + 1;
-  pid_t process = 0;
-  const auto [end, error] = std::from_chars(digits, stem.c_str() + stem.size(), process);
-  if (error != std::errc() || end != stem.c_str() + stem.size() || process <= 0) return {};
-  return process;
+  const std::optional<pid_t> process = parsed<pid_t>(stem.substr(stem.rfind('.') + 1));
+  return process && *process > 0 ? process : std::nullopt;
 }
 
 // A file that is written from its beginning. Remembers errno of the first step that failed, and does nothing then.

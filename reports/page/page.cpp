@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
@@ -12,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/lists.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
 #include "reports/page/page_figure.h"
@@ -54,9 +54,7 @@ bool is_number(const Value& value) {
   std::istringstream words(text);
   int count = 0;
   for (std::string word; words >> word; ++count) {
-    double number = 0.0;
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (result.ec != std::errc{} || result.ptr != word.data() + word.size()) return false;
+    if (!parsed<double>(word)) return false;
   }
   return count > 0;
 }
@@ -94,7 +92,7 @@ Json table_data(const Table& table, const std::string& caption, const std::vecto
     const auto& [name, unit, meaning] = table.columns[c];
     columns.push_back(
         {{"name", name}, {"unit", unit == "1" ? "" : unit}, {"meaning", meaning}, {"numeric", is_set_right(table, c)}});
-    if (std::find(below.begin(), below.end(), name) != below.end()) columns.back()["below"] = true;
+    if (std::ranges::find(below, name) != below.end()) columns.back()["below"] = true;
   }
   Json rows = Json::array();
   for (std::size_t r = 0; r < shown; ++r) {
@@ -147,7 +145,7 @@ void classify_cells(Json& table) {
   }
   // The labels of columns below stand in the row of units.
   const auto has_unit = [](const Json& column) { return column["unit"] != "" || column.contains("below"); };
-  table["has_units"] = std::any_of(all.begin(), all.end(), has_unit);
+  table["has_units"] = std::ranges::any_of(all, has_unit);
   table["column_count"] = columns.size();
   for (Json& column : columns) {
     column["name"] = head_text(column["name"]);
@@ -181,7 +179,7 @@ Json files_data(const fs::path& folder) {
   const std::vector<std::string> linked = linked_files(folder);
   Json list = Json::array();
   for (const auto& [name, meaning] : file_meanings) {
-    if (std::find(linked.begin(), linked.end(), name) != linked.end()) {
+    if (std::ranges::find(linked, name) != linked.end()) {
       const bool is_of_cell = name == std::string_view("images.exr") && std::ranges::count(linked, "sweep.csv") > 0;
       list.push_back({{"name", name}, {"meaning", is_of_cell ? "float layers of the cell of least error" : meaning}});
     }
@@ -314,7 +312,7 @@ void fold_figures(Json& section, const std::set<std::string>& layers) {
   section["viewer_figures"] = std::move(folded);
   const auto is_empty = [&](const char* part) { return section[part].empty(); };
   static constexpr const char* parts[] = {"figures", "tables", "headlines", "paragraphs", "bar"};
-  section["is_folded"] = !is_empty("viewer_figures") && std::all_of(std::begin(parts), std::end(parts), is_empty);
+  section["is_folded"] = !is_empty("viewer_figures") && std::ranges::all_of(parts, is_empty);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ bool is_file_stem(std::string_view stem) {
   const auto fits = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
   };
-  return !stem.empty() && stem.front() != '.' && std::all_of(stem.begin(), stem.end(), fits);
+  return !stem.empty() && stem.front() != '.' && std::ranges::all_of(stem, fits);
 }
 
 Image<glm::u8vec3> reduced(const Image<glm::u16vec4>& image, int n) {

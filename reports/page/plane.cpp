@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/lists.h"
 #include "reports/files/deflate.h"
 #include "reports/files/markup.h"
 #include "reports/page/plane_words.h"
@@ -47,9 +48,7 @@ std::string split_bytes(const std::vector<std::uint16_t>& words) {
 }
 
 std::vector<std::uint16_t> halves_of(const Image<float>& image, int stride) {
-  std::vector<std::uint16_t> halves;
-  for (const float value : sampled(image, stride)) halves.push_back(glm::packHalf1x16(value));
-  return halves;
+  return mapped(sampled(image, stride), [](const float value) { return glm::packHalf1x16(value); });
 }
 
 // The bytes of at most 256 different half floats, otherwise nothing.
@@ -120,9 +119,9 @@ std::optional<Json> as_bytes(const Image<float>& image, int stride, PlaneDigits 
     }
     return bytes;
   };
-  if (std::all_of(values.begin(), values.end(), is_byte)) return packed("u8", bytes_of(1.0f));
+  if (std::ranges::all_of(values, is_byte)) return packed("u8", bytes_of(1.0f));
   if (std::optional<Json> json = with_palette(halves_of(image, stride))) return json;
-  if (digits != PlaneDigits::byte || !std::all_of(values.begin(), values.end(), is_share)) return std::nullopt;
+  if (digits != PlaneDigits::byte || !std::ranges::all_of(values, is_share)) return std::nullopt;
   return packed("share", bytes_of(255.0f));
 }
 
@@ -135,7 +134,7 @@ Json plane_json(const Image<std::uint8_t>& image, int stride) {
 
 Json plane_json(const Image<std::uint16_t>& image, int stride) {
   const Words values = sampled(image, stride);
-  if (std::all_of(values.begin(), values.end(), [](unsigned value) { return value <= 255; })) {
+  if (std::ranges::all_of(values, [](unsigned value) { return value <= 255; })) {
     return packed("u8", {values.begin(), values.end()});
   }
   return packed("u16", split_bytes(values));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/lists.h"
 #include "core/parallel.h"
 #include "reports/figures/color_table.h"
 #include "reports/files/markup.h"
@@ -54,7 +55,7 @@ double six_digits(double value) {
 // The index of an item; equal ones have the same.
 std::size_t place_of(ViewerPack& pack, const Json& item) {
   std::string text = script_text(item);
-  const auto known = std::find(pack.items.begin(), pack.items.end(), text);
+  const auto known = std::ranges::find(pack.items, text);
   const std::ptrdiff_t place = known - pack.items.begin();
   if (known == pack.items.end()) pack.items.push_back(std::move(text));
   return static_cast<std::size_t>(place);
@@ -63,7 +64,7 @@ std::size_t place_of(ViewerPack& pack, const Json& item) {
 // The share of this role in the layer's group, if the layer is an error.
 const ViewerLayer* share_of(const ViewerData& data, const ViewerLayer& error, ViewerRole role) {
   if (error.role != ViewerRole::error) return nullptr;
-  const auto found = std::find_if(data.layers.begin(), data.layers.end(), [&](const ViewerLayer& each) {
+  const auto found = std::ranges::find_if(data.layers, [&](const ViewerLayer& each) {
     return each.group == error.group && each.role == role && each.kind == ViewerKind::share;
   });
   return found != data.layers.end() ? &*found : nullptr;
@@ -130,12 +131,6 @@ Json parts_json(ViewerPack& pack, const ViewerParts& parts, int stride) {
   return place_of(pack, {{"names", parts.names}, {"plane", plane_json(parts.index, stride)}});
 }
 
-std::string joined(const std::vector<std::string>& texts) {
-  std::string list;
-  for (const std::string& text : texts) list += (list.empty() ? "" : ",") + text;
-  return list;
-}
-
 }  // namespace
 
 void add_set(ViewerPack& pack, const ViewerData& data) {
@@ -163,7 +158,7 @@ void add_set(ViewerPack& pack, const ViewerData& data) {
 std::string viewer_text(const ViewerPack& pack) {
   const Json maps = {{"sequential", table_text(ColorMap::visibility)}, {"diverging", table_text(ColorMap::error)}};
   return "{\"title\":" + script_text(pack.title) + ",\"maps\":" + script_text(maps) + ",\"sets\":[" +
-         joined(pack.sets) + "],\"items\":[" + joined(pack.items) + "]}";
+         joined(pack.sets, ",") + "],\"items\":[" + joined(pack.items, ",") + "]}";
 }
 
 }  // namespace umbrameter

@@ -95,8 +95,7 @@ std::vector<Quarter> quarters_within(int rings) {
       quarters.push_back(quarter);
     }
   }
-  std::stable_sort(quarters.begin(), quarters.end(),
-                   [](const Quarter& a, const Quarter& b) { return a.distance < b.distance; });
+  std::ranges::stable_sort(quarters, [](const Quarter& a, const Quarter& b) { return a.distance < b.distance; });
   return quarters;
 }
 

@@ -187,8 +187,7 @@ std::vector<Site> sites_within(double half) {
     const bool sandy = std::abs(beyond_path(x, z)) < 0.85;
     if (open < 0.4 && !sandy) sites.push_back({x, z, chance(index, 3) < 0.72 ? grass : daisies});
   });
-  std::stable_sort(sites.begin(), sites.end(),
-                   [](const Site& a, const Site& b) { return a.from_middle() < b.from_middle(); });
+  std::ranges::stable_sort(sites, [](const Site& a, const Site& b) { return a.from_middle() < b.from_middle(); });
   return sites;
 }
 
@@ -222,7 +221,7 @@ bool is_taken(const std::vector<Stand>& stands, const Site& site) {
   const double near_first = std::hypot(site.x - first_eye.x, site.z - first_eye.z);
   const double near_low = std::hypot(site.x - low_eye.x, site.z - low_eye.z);
   if (near_first < (is_tree ? 5.0 : 1.6) || near_low < (is_tree ? 4.0 : 1.0)) return true;
-  return std::any_of(stands.begin(), stands.end(), [&](const Stand& stand) {
+  return std::ranges::any_of(stands, [&](const Stand& stand) {
     const dvec4& foot = stand.world_from_plant[3];
     return std::hypot(foot.x - site.x, foot.z - site.z) < (is_tree ? 3.6 : 1.1);
   });
@@ -299,7 +298,7 @@ Scene make_forest(std::uint64_t triangles) {
 
   place_once(scene, ground_mesh(ground, floor));
   place_once(scene, ground_sides(ground, soil));
-  std::stable_sort(stands.begin(), stands.end(), [](const Stand& a, const Stand& b) { return a.species < b.species; });
+  std::ranges::stable_sort(stands, [](const Stand& a, const Stand& b) { return a.species < b.species; });
   for (auto first = stands.begin(); first != stands.end();) {
     const auto last = std::find_if(first, stands.end(), [&](const Stand& s) { return s.species != first->species; });
     // Neighbours share a mesh, so that they are drawn together.

@@ -38,9 +38,8 @@ Mesh to_mesh(const std::string& name, const Shape& shape, std::uint32_t material
       }
       const vec3 normal = glm::normalize(vec3(glm::normalize(sum)));
       auto& candidates = vertices_at[point];
-      const auto same = std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t vertex) {
-        return glm::dot(mesh.normals[vertex], normal) > 0.999999f;
-      });
+      const auto same = std::ranges::find_if(
+          candidates, [&](std::uint32_t vertex) { return glm::dot(mesh.normals[vertex], normal) > 0.999999f; });
       if (same != candidates.end()) {
         triangle[corner] = *same;
         continue;

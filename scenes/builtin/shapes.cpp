@@ -139,7 +139,7 @@ Shape carved(std::span<const Bounds> solids, std::span<const Bounds> holes) {
     }
   }
   for (auto& axis : cuts) {
-    std::sort(axis.begin(), axis.end());
+    std::ranges::sort(axis);
     axis.erase(std::unique(axis.begin(), axis.end()), axis.end());
   }
   const std::array<std::size_t, 3> cells{cuts[0].size() - 1, cuts[1].size() - 1, cuts[2].size() - 1};
@@ -153,7 +153,7 @@ Shape carved(std::span<const Bounds> solids, std::span<const Bounds> holes) {
     const auto holds = [&](const Bounds& bounds) {
       return glm::all(glm::lessThan(bounds.min, middle)) && glm::all(glm::lessThan(middle, bounds.max));
     };
-    return std::any_of(solids.begin(), solids.end(), holds) && std::none_of(holes.begin(), holes.end(), holds);
+    return std::ranges::any_of(solids, holds) && std::ranges::none_of(holes, holds);
   };
   Shape shape;
   std::vector<std::uint32_t> ids(cuts[0].size() * cuts[1].size() * cuts[2].size(), 0);

@@ -30,10 +30,6 @@ Parameters describe(AlchemyParams& params) {
       .take();
 }
 
-Parameters describe(Alchemy& technique) {
-  return concatenate({describe(technique.sampling), describe(technique.noise), describe(technique.params)});
-}
-
 shared::AlchemyMethod::AlchemySettings settings_of(const Alchemy& technique) {
   const AlchemyParams& params = technique.params;
   const double radius = technique.sampling.radius.number;

@@ -48,7 +48,6 @@ struct Alchemy {
   AoNoiseParams noise;
   AlchemyParams params;
 };
-Parameters describe(Alchemy& technique);
 
 shared::AlchemyMethod::AlchemySettings settings_of(const Alchemy& technique);
 

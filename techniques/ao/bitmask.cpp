@@ -20,11 +20,6 @@ Parameters describe(BitmaskParams& params) {
       .take();
 }
 
-Parameters describe(Bitmask& technique) {
-  return concatenate({radius_parameter(technique.sampling), describe(technique.noise), describe(technique.slices),
-                      describe(technique.params)});
-}
-
 shared::BitmaskMethod::BitmaskSettings settings_of(const Bitmask& technique) {
   const BitmaskParams& params = technique.params;
   const double radius = technique.sampling.radius.number;

@@ -37,13 +37,13 @@ struct Bitmask {
   static constexpr AoBlur denoiser = AoBlur::xegtao;  ///< ours: that of GTAO, whose slices and noise it has
   static constexpr std::string_view text = "bitmask.glsl";
   static constexpr std::string_view settings = "BitmaskSettings";
+  static constexpr bool reads_samples = false;
   static constexpr bool has_bent_normal = true;
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AoSliceParams slices;
   BitmaskParams params;
 };
-Parameters describe(Bitmask& technique);
 
 shared::BitmaskMethod::BitmaskSettings settings_of(const Bitmask& technique);
 

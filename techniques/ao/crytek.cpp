@@ -2,11 +2,6 @@
 
 namespace umbrameter {
 
-Parameters describe(Crytek& technique) {
-  return concatenate(
-      {describe(technique.sampling), describe(technique.bias), describe(technique.noise), describe(technique.range)});
-}
-
 shared::CrytekMethod::CrytekSettings settings_of(const Crytek& technique) {
   return {technique.sampling.samples, static_cast<float>(technique.sampling.radius.number),
           static_cast<float>(technique.bias.depth.number), technique.range.range_check ? 1 : 0};

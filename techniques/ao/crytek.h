@@ -31,7 +31,6 @@ struct Crytek {
   AoNoiseParams noise;
   SsaoParams range;
 };
-Parameters describe(Crytek& technique);
 
 shared::CrytekMethod::CrytekSettings settings_of(const Crytek& technique);
 

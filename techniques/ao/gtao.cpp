@@ -23,11 +23,6 @@ Parameters describe(GtaoParams& params) {
       .take();
 }
 
-Parameters describe(Gtao& technique) {
-  return concatenate({radius_parameter(technique.sampling), describe(technique.noise), describe(technique.slices),
-                      describe(technique.params)});
-}
-
 shared::GtaoMethod::GtaoSettings settings_of(const Gtao& technique) {
   const GtaoParams& params = technique.params;
   return {technique.slices.slices,

@@ -35,13 +35,13 @@ struct Gtao {
   static constexpr AoBlur denoiser = AoBlur::xegtao;
   static constexpr std::string_view text = "gtao.glsl";
   static constexpr std::string_view settings = "GtaoSettings";
+  static constexpr bool reads_samples = false;
   static constexpr bool has_bent_normal = true;
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AoSliceParams slices;
   GtaoParams params;
 };
-Parameters describe(Gtao& technique);
 
 shared::GtaoMethod::GtaoSettings settings_of(const Gtao& technique);
 

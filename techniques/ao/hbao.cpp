@@ -17,10 +17,6 @@ Parameters describe(HbaoParams& params) {
       .take();
 }
 
-Parameters describe(Hbao& technique) {
-  return concatenate({radius_parameter(technique.sampling), describe(technique.noise), describe(technique.params)});
-}
-
 shared::HbaoMethod::HbaoSettings settings_of(const Hbao& technique) {
   const HbaoParams& params = technique.params;
   return {params.directions,

@@ -35,11 +35,11 @@ struct Hbao {
   static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< NVIDIA's sample: 7 taps along each axis, by depth
   static constexpr std::string_view text = "hbao.glsl";
   static constexpr std::string_view settings = "HbaoSettings";
+  static constexpr bool reads_samples = false;
   AoSamplingParams sampling;
   AoNoiseParams noise;
   HbaoParams params;
 };
-Parameters describe(Hbao& technique);
 
 shared::HbaoMethod::HbaoSettings settings_of(const Hbao& technique);
 

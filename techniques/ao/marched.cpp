@@ -18,10 +18,6 @@ Parameters describe(MarchedParams& params) {
       .take();
 }
 
-Parameters describe(Marched& technique) {
-  return concatenate({describe(technique.sampling), describe(technique.noise), describe(technique.params)});
-}
-
 shared::MarchedMethod::MarchedSettings settings_of(const Marched& technique) {
   const MarchedParams& params = technique.params;
   const double radius = technique.sampling.radius.number;

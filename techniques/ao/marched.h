@@ -40,7 +40,6 @@ struct Marched {
   AoNoiseParams noise;
   MarchedParams params;
 };
-Parameters describe(Marched& technique);
 
 shared::MarchedMethod::MarchedSettings settings_of(const Marched& technique);
 

@@ -17,8 +17,6 @@ Parameters describe(AoSamplingParams& params) {
       .take();
 }
 
-Parameters radius_parameter(AoSamplingParams& params) { return {require(describe(params), "ao.radius")}; }
-
 Parameters describe(AoSliceParams& params) {
   static constexpr std::array<std::string_view, 2> spacings{"image", "angle"};
   return Description("ao")

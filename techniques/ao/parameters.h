@@ -12,9 +12,6 @@ struct AoSamplingParams {
 };
 Parameters describe(AoSamplingParams& params);
 
-/// For techniques that do not read ao.samples.
-Parameters radius_parameter(AoSamplingParams& params);
-
 enum class AoSliceSpacing : int { image, angle };
 
 /// Techniques that search planes through the direction to the viewer. The numbers are those of XeGTAO, quality "High".

@@ -9,9 +9,4 @@ Parameters describe(SsaoParams& params) {
       .take();
 }
 
-Parameters describe(Ssao& technique) {
-  return concatenate({describe(technique.sampling), describe(technique.bias), describe(technique.noise),
-                      describe(technique.params), describe(technique.kernel)});
-}
-
 }  // namespace umbrameter

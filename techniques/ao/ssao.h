@@ -27,7 +27,6 @@ struct Ssao {
   SsaoParams params;
   AoKernelParams kernel;
 };
-Parameters describe(Ssao& technique);
 
 /// What a sample of weight 1 adds to the occlusion.
 inline float share_of_sample(int samples) { return 1.0f / static_cast<float>(samples); }

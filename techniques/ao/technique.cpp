@@ -11,6 +11,27 @@ Parameters describe(AoTechniques::Choice& technique) {
       .take();
 }
 
+// The parameters of all members, in order; without ao.samples where the technique says so.
+template <class T>
+Parameters describe_members(T& technique) {
+  const auto all = [](auto&... members) { return concatenate({describe(members)...}); };
+  Parameters read;
+  if constexpr (count_fields<T>() == 3) {
+    auto& [a, b, c] = technique;
+    read = all(a, b, c);
+  } else if constexpr (count_fields<T>() == 4) {
+    auto& [a, b, c, d] = technique;
+    read = all(a, b, c, d);
+  } else {
+    auto& [a, b, c, d, e] = technique;
+    read = all(a, b, c, d, e);
+  }
+  if constexpr (requires { T::reads_samples; }) {
+    std::erase_if(read, [](const Parameter& each) { return each.key == "ao.samples"; });
+  }
+  return read;
+}
+
 // Converts to the member of that type.
 struct GroupOfType {
   AoParams& params;
@@ -42,7 +63,7 @@ AoTechnique make_technique(AoParams params) {
 }
 
 Parameters describe(AoTechnique& technique) {
-  return std::visit([](auto& each) { return describe(each); }, technique);
+  return std::visit([](auto& each) { return describe_members(each); }, technique);
 }
 
 AoBlurParams blur_of(const AoParams& params) {

@@ -2,10 +2,10 @@
 // never on its name.
 //
 // AoTechniques is the only list: choice, names, dispatch and build follow from it. A technique is a struct with its
-// name, its title and the denoiser that it was published with. Its members are groups of AoParams that it reads. Its
-// header, with describe() and settings_of(), is included here; the source and the text (.glsl) of the same name are
-// built with it. The text gives accessibility() and, if the struct has_bent_normal, bent_normal();
-// raster/ao/ao_passes.h runs it. Parameters of a new technique become a member of AoParams.
+// name, its title and the denoiser that it was published with. Its members are groups of AoParams that it reads;
+// `reads_samples = false` leaves out ao.samples. Its header, with settings_of(), is included here; the source and the
+// text (.glsl) of the same name are built with it. The text gives accessibility() and, if the struct has_bent_normal,
+// bent_normal(); raster/ao/ao_passes.h runs it. Parameters of a new technique become a member of AoParams.
 #pragma once
 
 #include <cstdint>

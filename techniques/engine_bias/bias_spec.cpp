@@ -1,10 +1,10 @@
 #include "techniques/engine_bias/bias_spec.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "core/suggestion.h"
 
 namespace umbrameter {
@@ -21,21 +21,9 @@ std::string plain_name(std::string_view name) {
   return plain.starts_with("shadow") ? plain.substr(6) : plain;
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t at = text.find(separator);
-    parts.push_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
-}
-
 double read_number(std::string_view text, const std::string& place) {
-  double number = 0.0;
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error == std::errc() && end == digits.data() + digits.size() && std::isfinite(number)) return number;
+  const std::optional<double> number = parsed<double>(text.starts_with('+') ? text.substr(1) : text);
+  if (number && std::isfinite(*number)) return *number;
   throw Error(ExitCode::usage, place, text.empty() ? "no value given" : quoted(text) + " is not a number",
               "write " + place.substr(place.find(' ') + 1) + "=0.5, for example");
 }
@@ -56,8 +44,7 @@ std::vector<double> read_lengths(std::string_view text, const std::string& place
   }
   for (const BiasSetting& setting : engine.settings) names.emplace_back(setting.name);
   names.insert(names.end(), {"texel", "range"});
-  std::string all;
-  for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
+  const std::string all = joined(names, ", ");
   const std::string what = std::string(engine.name) + " " + std::string(name);
   const bool is_number = std::ranges::any_of(
       engine.numbers, [&](const BiasNumber& number) { return plain_name(number.name) == plain_name(name); });
@@ -82,9 +69,7 @@ void set_setting(BiasSpec& spec, const BiasSetting& setting, std::string_view te
     names.emplace_back(name);
   }
   if (!names.empty()) {
-    std::string all;
-    for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
-    throw Error(ExitCode::usage, place, quoted(text) + " is not allowed", "choose one of " + all);
+    throw Error(ExitCode::usage, place, quoted(text) + " is not allowed", "choose one of " + joined(names, ", "));
   }
   value = read_number(text, place);
   if (value < 0.0) throw Error(ExitCode::usage, place, "it must not be below 0");

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <optional>
 
 #include "core/error.h"
+#include "core/lists.h"
 
 namespace umbrameter {
 namespace {
@@ -20,15 +20,9 @@ constexpr std::array<std::string_view, 2> warp_names{"none", "lispsm"};
 
 // "0.1,0.2,0.5"; nothing if that is no list of numbers.
 std::optional<std::vector<double>> numbers_of(const std::string& text) {
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (at != end) {
-    const auto [next, error] = std::from_chars(at, end, numbers.emplace_back());
-    const bool goes_on = error == std::errc{} && next != end && *next == ',' && next + 1 != end;
-    if (error != std::errc{} || !std::isfinite(numbers.back()) || (next != end && !goes_on)) return {};
-    at = goes_on ? next + 1 : end;
-  }
+  if (text.empty()) return std::vector<double>{};
+  std::optional<std::vector<double>> numbers = parsed_list<double>(text, ',');
+  if (numbers && !std::ranges::all_of(*numbers, [](double number) { return std::isfinite(number); })) return {};
   return numbers;
 }
 
@@ -96,9 +90,8 @@ bool can_warp(int cascades, const MapFitParams& fit) {
 }
 
 void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::span<const Light> lights) {
-  const bool any_directional = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
-    return std::holds_alternative<DirectionalLight>(light.shape);
-  });
+  const bool any_directional = std::ranges::any_of(
+      lights, [](const Light& light) { return std::holds_alternative<DirectionalLight>(light.shape); });
   if (any_directional && fit.warp != Warp::none && !can_warp(map.cascades, fit)) {
     throw Error(ExitCode::usage, "shadow.warp", "only a single map that is fitted to the view is warped",
                 "use --shadow.cascades 1 --shadow.fit view --shadow.cascade-fit tight or boxes");
