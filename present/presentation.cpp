@@ -255,11 +255,16 @@ std::string nothing_counted_text(const CountedPixels& counted) {
   return fmt::format("nothing to measure: of {} pixels, {}", all, text);
 }
 
-std::string without_ao_text(double error, double mean_truth) {
+void add_without_ao(Presentation& presentation, double error, double mean_truth) {
   const double without = 1.0 - mean_truth;
-  if (error < without) return "without AO it would be " + percent(without);
-  return fmt::format("no AO at all is as good, with {}: choose a view or a distance with more occlusion",
-                     percent(without));
+  if (error < without) {
+    presentation.lines.push_back("  without any AO the error would be " + percent(without));
+  } else {
+    presentation.answers.push_back(
+        fmt::format("warning: without any AO the error would be no larger, {}: choose a view or a distance with more "
+                    "occlusion",
+                    percent(without)));
+  }
 }
 
 Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
@@ -315,9 +320,9 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
   const std::string of = renderer.empty() ? technique + " radius " + radius : renderer;
-  presentation.answers.push_back(
-      fmt::format("AO: mean absolute error {}, mean signed error {} ({}, reference rays {}); {}", text.absolute,
-                  text.with_sign, of, limit, without_ao_text(s.mae.value, s.mean_truth.value)));
+  presentation.answers.push_back(fmt::format("AO: mean absolute error {}, mean signed error {} ({}, reference rays {})",
+                                             text.absolute, text.with_sign, of, limit));
+  add_without_ao(presentation, s.mae.value, s.mean_truth.value);
   return presentation;
 }
 

@@ -107,7 +107,7 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
 /// point first.
 ViewerPack add_tune_images(Presentation& part, const SceneFacts& scene, const TuneFindings& tune);
 
-/// "without AO it would be 1.16 %": the mean absolute error of an image without occlusion, from the reference's mean.
-std::string without_ao_text(double error, double mean_truth);
+/// The mean absolute error of an image without occlusion, from the reference's mean; a warning where it is no larger.
+void add_without_ao(Presentation& presentation, double error, double mean_truth);
 
 }  // namespace umbrameter

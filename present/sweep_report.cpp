@@ -316,8 +316,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
                     sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
     if (is_ao) {
       const double mean_truth = to_number(least[column_index(best, "mean_truth")]);
-      presentation.answers.push_back(without_ao_text(to_number(least[mae]), mean_truth));
-      section.text += "\n\n" + presentation.answers.back() + ".";
+      add_without_ao(presentation, to_number(least[mae]), mean_truth);
     }
   }
   if (ranks_filters) presentation.answers.push_back("warning: " + std::string(filter_warning));

@@ -117,7 +117,41 @@ TEST(Convert, A_number_below_the_inspectors_step_and_one_beyond_its_limits_are_n
   EXPECT_NE(small.err.find("step of 0.001"), std::string::npos) << small.err;
   const ProgramResult large = convert({"courtyard", "--light", "sun", "--from", "metres:9", "--to", "filament"});
   EXPECT_NE(large.err.find("outside its limits 0 to 2"), std::string::npos) << large.err;
-  EXPECT_NE(large.out.find("options.constantBias = 2.0f;"), std::string::npos) << large.out;
+  EXPECT_NE(large.out.find("options.constantBias = 2.0f;  // its limit; 9.0 is needed"), std::string::npos)
+      << large.out;
+}
+
+TEST(Convert, A_bias_that_a_target_cannot_say_is_lost_with_a_word) {
+  const ProgramResult result = convert({"courtyard", "--light", "sun", "--from", "metres:0.05", "--to", "playcanvas"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("// no number for the constant bias: it is lost"), std::string::npos) << result.out;
+  const ProgramResult all = convert({"courtyard", "--light", "sun", "--from", "metres:0.05"});
+  EXPECT_NE(all.err.find("no number for any part of this bias: playcanvas, unity-hdrp"), std::string::npos) << all.err;
+}
+
+TEST(Convert, The_metres_of_one_unit_have_their_sign_and_their_place) {
+  const ProgramResult sun = convert({"courtyard", "--light", "sun", "--from", "three:bias=-0.001,near=1,far=51"});
+  EXPECT_NE(sun.out.find("one unit of bias is −50 m: "), std::string::npos) << sun.out;
+  const ProgramResult lamp =
+      convert({"courtyard", "--light", "spot", "--from", "three:bias=-0.001,near=0.01,far=500", "--to", "metres"});
+  EXPECT_NE(lamp.out.find(" m at the nearest receiver, −"), std::string::npos) << lamp.out;
+  EXPECT_NE(lamp.out.find(" m at the farthest receiver: "), std::string::npos) << lamp.out;
+}
+
+TEST(Convert, An_offset_of_casters_has_its_own_name_and_defaults_say_that_they_are) {
+  const ProgramResult result =
+      convert({"courtyard", "--light", "sun", "--from", "unity-urp:shadowBias=2", "--to", "umbrameter"});
+  EXPECT_NE(result.out.find("umbrameter  caster-offset"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("shadowNormalBias = 1 (texels × (1 − cos θ)), its default"), std::string::npos)
+      << result.out;
+}
+
+TEST(Convert, Notes_about_lamps_are_for_lamps) {
+  const auto notes = [](const char* light) {
+    return convert({"courtyard", "--light", light, "--from", "metres:0.05", "--to", "bevy,godot"}).err;
+  };
+  EXPECT_EQ(notes("sun").find("point light"), std::string::npos) << notes("sun");
+  EXPECT_NE(notes("lantern").find("the defaults of a point light are 0.08"), std::string::npos) << notes("lantern");
 }
 
 TEST(Convert, A_lamp_has_its_nearest_and_its_farthest_receiver) {
@@ -151,6 +185,7 @@ TEST(Convert, A_mistake_is_one_line_and_exit_code_2) {
       {{"courtyard", "--light", "moon", "--from", "metres:1"}, {"moon"}},
       {{"courtyard", "--light", "sun", "--from", "map-depth:0.005,range=1/2/3"}, {"3 values", "1 place"}},
       {{"courtyard", "--from", "metres:1"}, {"lights, and each has its own map", "--light"}},
+      {{"courtyard", "--light", "lantern", "--from", "three:-0.001"}, {"nearest receiver", "three:near=0."}},
   };
   for (const auto& [words, expected] : cases) {
     const ProgramResult result = convert(words);

@@ -73,6 +73,18 @@ TEST_F(ForEngines, The_defaults_of_an_engine_have_the_error_of_its_preset) {
   EXPECT_GT(error_of(shadow), 0.0);
 }
 
+// Unity URP always draws with a polygon offset: numbers that are right without it are too large.
+TEST_F(ForEngines, What_an_engine_always_adds_is_in_its_numbers_and_in_their_error) {
+  const Json urp = compare({"--for", "unity-urp"}).at("recommended_bias").at("engines").at(0);
+  const std::vector<std::string> always = {"--shadow.polygon-offset-factor", "2.5", "--shadow.polygon-offset-units",
+                                           "1"};
+  const double set = urp.at("numbers").at(0).at("set").at(0);
+  const Json by_hand = compare(words({"--shadow.constant-bias", fmt::format("{}texels", set)}, always));
+  EXPECT_NEAR(urp.at("mae").get<double>(), error_of(by_hand), 1e-9);
+  const Json best = compare(always).at("recommended_bias").at("recommended");
+  EXPECT_LE(urp.at("mae").get<double>(), 1.06 * best.at("mae").get<double>() + 1e-4);
+}
+
 TEST_F(ForEngines, The_depth_of_a_perspective_projection_is_that_of_the_map) {
   const std::vector<std::string> encoded = {"--shadow.depth-encoding", "perspective", "--shadow.depth-near", "0.5"};
   const Json shadow =

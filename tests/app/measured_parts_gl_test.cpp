@@ -103,7 +103,9 @@ TEST_F(MeasuredParts, A_dry_run_names_the_parts) {
   const auto plan = [&](const std::string& measure) { return run("compare", {"--measure", measure, "--dry-run"}).out; };
   EXPECT_EQ(plan("shadows").find("AO"), std::string::npos) << plan("shadows");
   EXPECT_EQ(plan("ao").find("shadow"), std::string::npos) << plan("ao");
-  EXPECT_NE(plan("ao").find("AO with"), std::string::npos) << plan("ao");
+  EXPECT_NE(plan("ao").find("SSAO, 64 samples per pixel"), std::string::npos) << plan("ao");
+  const std::string gtao = run("compare", {"--measure", "ao", "--dry-run", "--ao.technique", "gtao"}).out;
+  EXPECT_NE(gtao.find("GTAO, 3 slices × 2 × 3 steps per pixel"), std::string::npos) << gtao;
 }
 
 }  // namespace

@@ -129,6 +129,18 @@ TEST(TuneRounds, Of_a_rough_function_with_words_have_the_points_of_the_search_al
   EXPECT_LE(eight.rounds, eight.used / 5);
 }
 
+// One pass measures every value: nothing is left to vary.
+TEST(TuneRounds, Of_a_constant_bias_alone_are_one) {
+  const Tuning tuning = tuning_of({{"shadow.constant-bias", "0.5texels:8texels:log"}}, {1.5},
+                                  [](const std::vector<Value>& values) { return to_number(values[0]); });
+  SearchInput input = tuning.input();
+  input.exact = 0;
+  KnownPoints known;
+  const NextRound first = next_round(input, known, 4);
+  ASSERT_GE(first.points.size(), 1u);
+  EXPECT_LE(first.points.size(), 2u) << "the default, and all biases";
+}
+
 TEST(TuneRounds, Of_all_combinations_are_two_without_waste) {
   const Tuning tuning = tuning_of({{"shadow.filter", "nearest,box,bilinear"}, {"shadow.resolution", "256,512,1024"}},
                                   {std::string("nearest"), std::int64_t{512}},

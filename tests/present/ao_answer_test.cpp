@@ -41,6 +41,17 @@ TEST(AoAnswer, Absolute_and_signed_error_have_the_digits_of_the_wider_interval) 
       "AO: mean absolute error 10.8 %, mean signed error +8.97 % (SSAO radius 50 cm, reference rays up to 50 cm)");
 }
 
+TEST(AoAnswer, An_error_stands_beside_that_of_no_ambient_occlusion) {
+  AoMeasurement ao = measurement();
+  SampledError& error = ao.statistics->error;
+  error.mae = {0.1, 0.1, 0.1};
+  error.mean_truth = {0.8, 0.8, 0.8};
+  EXPECT_EQ(present_ao({}, ao).lines.front(), "  without any AO the error would be 20.0 %");
+  error.mean_truth = {0.95, 0.95, 0.95};
+  EXPECT_EQ(present_ao({}, ao).answers.back().find("warning: without any AO the error would be no larger, 5.00 %"), 0u)
+      << present_ao({}, ao).answers.back();
+}
+
 TEST(AoAnswer, An_error_of_rounding_has_no_row_of_zeros) {
   AoMeasurement ao = measurement();
   ao.statistics->error.mae = {0.0, 0.0, 9e-8};
