@@ -20,10 +20,10 @@ struct PlannedSweep {
 };
 
 /// Of a sweep: scene, view, light, axes, cells, groups, and the time that it would take. The estimate measures the
-/// groups that measure_costs() chooses, and begins none after 20 s of work.
+/// groups that measure_costs() chooses, with a budget of 20 s of work.
 ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep);
 
-/// The costs of its groups, from measuring some; none is begun after `budget` seconds by Stages::work_clock(). By that
+/// The costs of its groups, from measuring some, with a budget in seconds by Stages::work_clock(). By that
 /// clock in proportion to each other, in all by the clock on the wall.
 SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep, double budget);
 

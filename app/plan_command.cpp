@@ -78,7 +78,10 @@ void show_plan(const Console& console, const fs::path& folder, const ShardPlan& 
                                          {"start_seconds", starts}, {"repeated_seconds", repeated}};
     write_to(stdout, json.dump(2) + "\n");
   }
-  const auto time = [](double seconds) { return time_text(std::ceil(seconds)); };
+  // What is added must add up.
+  const auto time = [](double seconds) {
+    return seconds < 10.0 ? fmt::format("{:.1f} s", seconds) : time_text(seconds);
+  };
   print_line(console, fmt::format("{} cells in {} shards of at most about {}; all of them about {}",
                                   grouped(plan.cells), grouped(plan.shards.size()), time(longest), time(all)));
   add_line(console,

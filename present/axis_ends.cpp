@@ -98,10 +98,9 @@ std::vector<std::string> to_lines(const std::vector<OpenEnd>& ends) {
     const std::string where = !has_setting ? ""
                               : count == 1 ? " for " + first.setting
                                            : fmt::format(" for {} combinations, one of them {}", count, first.setting);
-    lines.push_back(fmt::format("{}: the error still falls at the {} end of the axis ({:.6g}{}{}){}; extend it",
-                                first.axis, first.end == AxisEnd::upper ? "upper" : "lower", first.value,
-                                first.unit.empty() || first.unit == "1" ? "" : " ", first.unit == "1" ? "" : first.unit,
-                                where));
+    lines.push_back(fmt::format("{}: the error still falls at the {} end of the axis ({}){}; extend it", first.axis,
+                                first.end == AxisEnd::upper ? "upper" : "lower",
+                                with_unit(fmt::format("{:.6g}", first.value), first.unit), where));
   }
   return lines;
 }

@@ -63,6 +63,11 @@ bool any_term(const ConvertedBias& bias, double BiasTerms::*term) {
   return std::ranges::any_of(bias.terms, [&](const BiasTerms& each) { return each.*term != 0.0; });
 }
 
+bool is_cascade(const MapPlace& place) { return place.name.starts_with("cascade"); }
+
+// "cascade 2", "the nearest receiver".
+std::string with_article(const MapPlace& place) { return (is_cascade(place) ? "" : "the ") + place.name; }
+
 // What one unit of the source's numbers is, by its own t and R.
 std::vector<std::string> unit_lines(const ConvertedBias& bias) {
   std::vector<std::string> lines;
@@ -77,7 +82,7 @@ std::vector<std::string> unit_lines(const ConvertedBias& bias) {
     const std::string first = metres(places.front());
     const bool are_equal = std::ranges::all_of(places, [&](const MapPlace& place) { return metres(place) == first; });
     const std::string text = are_equal ? first : joined(places, ", ", [&](const MapPlace& place) {
-      return metres(place) + " at the " + place.name;
+      return metres(place) + (is_cascade(place) ? " in " : " at ") + with_article(place);
     });
     lines.push_back(fmt::format("one unit of {} is {}: {}", number.name, text, number.formula));
   }
@@ -177,10 +182,11 @@ void add_number_notes(const ConvertedTarget& target, bool is_chosen, std::vector
     const bool is_one_for_all =
         target.conversions.size() > 1 && (is_chosen || !number.code.empty()) && !sets_each_place(target);
     if (is_one_for_all && chosen->excess > 1.005) {
-      add(fmt::format(
-          "{} {}: chosen for the {}, which needs the largest number; elsewhere it acts as up to {} times "
-          "the bias that is needed",
-          engine.name, number_name(target, n), target.places[chosen->place].name, digits_text(chosen->excess, 2)));
+      add(
+          fmt::format("{} {}: chosen for {}, which needs the largest number; elsewhere it acts as up to {} times "
+                      "the bias that is needed",
+                      engine.name, number_name(target, n), with_article(target.places[chosen->place]),
+                      digits_text(chosen->excess, 2)));
     }
     if (std::abs(value - chosen->value) > 1e-9 * std::abs(chosen->value)) {
       add(fmt::format("{} {}: {} is outside its limits {} to {}", engine.name, number.name, table_number(chosen->value),

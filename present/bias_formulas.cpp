@@ -56,6 +56,22 @@ std::string formula_text(const BiasFormula& formula) {
   return "bias ≈ " + (text.empty() ? "0" : text);
 }
 
+std::string errors_text(const BiasFormula& formula) {
+  std::string text;
+  const auto add = [&](FormulaTerm which, const char* symbol) {
+    const std::optional<Fitted> term = printed_term(formula, which);
+    if (!term) return;
+    const double error = term->standard_error;
+    text += (text.empty() ? "standard errors " : ", ") +
+            (*symbol == 0 ? metres_text(error, 2) : fmt::format("{:.2g}{}", error, symbol));
+  };
+  add(FormulaTerm::constant, "");
+  add(FormulaTerm::slope, "·Δz");
+  add(FormulaTerm::slope_radius, "·r·Δz");
+  add(FormulaTerm::depth_step, "·δ");
+  return text;
+}
+
 std::string symbols_text(std::span<const CurveFormula* const> formulas) {
   const auto has = [&](FormulaTerm term) {
     return std::ranges::any_of(

@@ -14,6 +14,9 @@ inline constexpr double formula_rounding = 1e-6;
 /// "bias ≈ 0.31 mm + (0.502 + 1.003·r)·Δz", of printed_term().
 std::string formula_text(const BiasFormula& formula);
 
+/// "standard errors 1.7 cm, 0.12·Δz": of the printed terms.
+std::string errors_text(const BiasFormula& formula);
+
 /// A term of the formula, rounded(); empty if it is absent or nothing of it is left.
 std::optional<Fitted> printed_term(const BiasFormula& formula, FormulaTerm which);
 

@@ -269,12 +269,13 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   if (curves.formulas.empty()) return;
   ReportSection& section = presentation.section;
   if (std::ranges::none_of(curves.formulas, [](const CurveFormula& of) { return of.formula.has_value(); })) {
+    std::size_t usable = 0;
+    for (const CurveFormula& of : curves.formulas) usable = std::max(usable, of.points.size());
     const std::string text = fmt::format(
-        "no formula for the bias over {}: that takes at least three combinations of these whose best bias is not at an "
-        "end of the "
-        "bias axis",
-        names_of(curves.formula_axes));
-    section.text += fmt::format("\n\nThere is {}; vary more values, or extend the axis of the bias.", text);
+        "no formula for the bias over {}: it needs three combinations of their values whose best bias is not at an end "
+        "of the bias axis; there {}",
+        names_of(curves.formula_axes), usable == 1 ? "is 1" : fmt::format("are {}", usable));
+    section.text += fmt::format("\n\nThere is {}. Extend the axis of the bias, or vary more values.", text);
     presentation.lines.push_back(text);
     return;
   }
@@ -303,9 +304,12 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     for (const CurveFormula* of : formulas) {
       if (!of->formula) continue;
       if (any == nullptr) any = &*of->formula;
-      const std::string slope = of->slope != 0.0 ? fmt::format(", slope-scaled bias {:g} texels", of->slope) : "";
-      const std::string line = fmt::format("formula ({}{}{}): {}, {}, {}", at, name_of(*of), slope,
-                                           formula_text(*of->formula), residual_text(*of->formula), points_text(*of));
+      const std::string slope =
+          of->slope != 0.0 ? ", slope-scaled bias " + with_unit(fmt::format("{:g}", of->slope), "texels") : "";
+      const std::string errors = errors_text(*of->formula);
+      const std::string line =
+          fmt::format("formula ({}{}{}): {}{}, {}, {}", at, name_of(*of), slope, formula_text(*of->formula),
+                      errors.empty() ? "" : "; " + errors, residual_text(*of->formula), points_text(*of));
       section.text += "\n\n" + line + "; " + ranges_text(*of->formula) + ".";
       if (is_first) presentation.lines.push_back(line);
     }

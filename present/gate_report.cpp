@@ -116,17 +116,16 @@ std::string gate_answer(const std::vector<GateCheck>& checks) {
     const GateCheck& check = checks.front();
     return fmt::format("the bound is kept: {} {}, {}", statistic_text(check), measured_text(check), bound_text(check));
   }
-  const auto unmeasured = static_cast<std::size_t>(
-      std::count_if(checks.begin(), checks.end(), [](const GateCheck& check) { return !check.measured; }));
-  const std::string missing = unmeasured == 0 ? ""
-                              : unmeasured == 1
-                                  ? "1 of the bounds was measured by no run"
-                                  : fmt::format("{} of {} bounds were measured by no run", unmeasured, checks.size());
-  if (failed == unmeasured) return checks.size() == 1 ? "no run measured what is bounded" : missing;
-  if (checks.size() == 1) return "the bound is broken";
+  const auto unmeasured =
+      static_cast<std::size_t>(std::ranges::count_if(checks, [](const GateCheck& check) { return !check.measured; }));
   const std::size_t broken = failed - unmeasured;
-  return fmt::format("{} of {} bounds {} broken{}{}", broken, checks.size(), broken == 1 ? "is" : "are",
-                     missing.empty() ? "" : ", ", missing);
+  const auto count = [&](std::size_t number) {
+    return fmt::format("{} of {} bounds {}", number, checks.size(), number == 1 ? "is" : "are");
+  };
+  if (checks.size() == 1) return broken == 1 ? "the bound is broken" : "no run measured what is bounded";
+  if (unmeasured == 0) return count(broken) + " broken";
+  return fmt::format("{} broken, and {} measured by no run", broken == 0 ? "no bound is" : count(broken),
+                     unmeasured == 1 ? "1 is" : fmt::format("{} are", unmeasured));
 }
 
 std::vector<std::string> gate_lines(const std::vector<GateCheck>& checks, bool all) {

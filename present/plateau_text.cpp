@@ -19,7 +19,8 @@ std::string few_text(std::uint64_t pixels, std::uint64_t counted, const char* wh
 
 }  // namespace
 
-std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least) {
+std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
+                       const char* only) {
   const double first = plateau.first.constant;
   const double last = plateau.last.constant;
   const auto number = [&](double bias) {
@@ -35,7 +36,7 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
                            : has_none ? fmt::format("no {}", what)
                                       : fmt::format("within 5 % {}", of_least);
   const char* verb = has_none ? (is_only ? "has" : "have") : is_only ? "is" : "are";
-  if (is_only) return fmt::format("only this bias {} {}", verb, good);
+  if (is_only) return fmt::format("{} {} {}", only, verb, good);
   return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);
 }
 

@@ -11,9 +11,12 @@
 
 namespace umbrameter {
 
+inline constexpr const char* only_of_axis = "only this bias of the axis";
+
 /// "2.2 to 18 texels are within 5 % of the least error, 0.271 %". The biases are in `unit`; `what` is "error" or
-/// "cost", and `least` its least value as text, which may be empty.
-std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least);
+/// "cost", and `least` its least value as text, which may be empty. `only` begins the text of a single bias.
+std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
+                       const char* only = "only this bias");
 
 /// Why no bias is recommended and what to do: "no counted pixel is in shadow, so a large bias costs nothing;
 /// --scene.ground adds a floor".

@@ -130,12 +130,13 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   figure.stem = "edge_distance_" + layer;
   figure.title = "Distance of errors from shadow edges: " + title;
   figure.caption =
-      "Share of the error within a distance of the nearest edge of the hard shadow. Aliasing lies within one or "
+      "Share of each cause's error within a distance of the nearest edge of the hard shadow. Aliasing lies within one "
+      "or "
       "two texels of an edge, or within half a pixel where that is more; acne lies farther away.";
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
-  figure.y = {"share", "share of the error [%]", false};
+  figure.y = {"share", "share of each cause's error within it [%]", false};
   figure.series = "part";
-  figure.series_label = "part of the error";
+  figure.series_label = "cause";
   figure.series_colors = {class_colors().begin() + 1, class_colors().begin() + 5};  // the four causes
   figure.data.columns = {{"part", "", "part of the error"},
                          {"distance", "texels", "perpendicular to the light"},

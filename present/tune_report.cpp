@@ -154,8 +154,8 @@ std::string constraint_line(const TuneSummary& summary) {
 std::string bias_range_text(const TuneSummary& summary) {
   const BiasPlateau& plateau = *summary.result.plateau;
   const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
-  std::string text = "constant-bias: " +
-                     range_text(plateau, axis->axis.length_unit, "cost", cost_text(summary.goal, plateau.least.mae));
+  std::string text = "constant-bias: " + range_text(plateau, axis->axis.length_unit, "cost",
+                                                    cost_text(summary.goal, plateau.least.mae), only_of_axis);
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
   return text + fmt::format("; {} is the smallest of them with acne of at most 0.1 % in every case",
                             value_text(*axis, plateau.recommended.constant));
@@ -213,11 +213,13 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   if (summary.judgement.held_out) {
     const HeldOut& held = *summary.judgement.held_out;
     const TuneGoal absolute = not_relative(goal);
-    answers.push_back(
-        fmt::format("held out ({}): {} → {}; {}",
-                    held.cases.size() == 1 ? held.cases.front() : fmt::format("{} cases", held.cases.size()),
-                    cost_text(absolute, held.before.score.cost), cost_text(absolute, held.best.score.cost),
-                    judged(absolute, held.difference, held.best.score.cost - held.before.score.cost)));
+    answers.push_back(fmt::format(
+        "held out ({}): {} → {}; {}",
+        held.cases.size() == 1
+            ? held.cases.front()
+            : fmt::format("{} cases, from {} to {}", held.cases.size(), held.cases.front(), held.cases.back()),
+        cost_text(absolute, held.before.score.cost), cost_text(absolute, held.best.score.cost),
+        judged(absolute, held.difference, held.best.score.cost - held.before.score.cost)));
   } else {
     answers.emplace_back("held out: nothing; the scenes have no other camera; name a scene with --held-out");
   }

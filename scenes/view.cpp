@@ -55,7 +55,8 @@ std::size_t select(const std::vector<Named>& items, const std::string& wanted, c
   std::iota(all.begin(), all.end(), std::size_t{0});
   const std::string remedy = items.empty()
                                  ? "omit --" + kind + " to use a default " + kind
-                                 : "it has " + listed(items, all) + ": give an index or a name, or omit --" + kind;
+                                 : "it has " + listed(items, all) + ": give an index or a name, or omit --" + kind +
+                                       (wanted == "all" ? "; of a sweep vary view." + kind + "=A,B" : "");
   throw Error(ExitCode::usage, what, "the scene has no such " + kind, remedy);
 }
 

@@ -123,8 +123,11 @@ const BiasEngine& require_bias_engine(std::string_view name) {
     if (engine.no_numbers.empty()) all += (all.empty() ? "" : ", ") + names.back();
   }
   const std::string similar = suggestion(similar_names(std::string(name), names));
+  const bool is_length = !name.empty() && name.find_first_not_of("+-.0123456789") > 0;
   throw Error(ExitCode::usage, quoted(name), name.empty() ? "no engine named" : "unknown engine or unit",
-              similar.empty() ? "known are " + all : similar);
+              is_length         ? "write a length as metres:0.02 or texels:2"
+              : similar.empty() ? "known are " + all
+                                : similar);
 }
 
 BiasSpec default_target(const BiasEngine& engine) {

@@ -215,7 +215,7 @@ TEST_F(Answers, Quiet_prints_the_answer_only_and_verbose_adds_diagnostics) {
   std::string line;
   std::vector<std::string> starts;
   while (std::getline(lines, line)) starts.push_back(line.substr(0, line.find(':')));
-  EXPECT_EQ(starts, (std::vector<std::string>{"sun", "AO"})) << out;
+  EXPECT_EQ(starts, (std::vector<std::string>{"sun", "AO", "warning"})) << out;
   const ProgramResult verbose = run_program({"compare", "contact-box", "--light", "sun", "-o", folder_ / "verbose",
                                              "--size", "96x54", "--truth.spp", "16", "--verbose"});
   EXPECT_NE(verbose.err.find("ray tests reclassified"), std::string::npos) << verbose.err;

@@ -39,7 +39,7 @@ TEST_F(Check, Passes_within_the_bounds_and_fails_beyond_them) {
   const std::string good = run("good", summary(0.01)), bad = run("bad", summary(0.02));
   const ProgramResult passed = run_program({"check", good, "--budget", budget(acne_budget)});
   EXPECT_EQ(passed.exit_code, 0) << passed.err;
-  EXPECT_EQ(passed.out, "the bound is kept: acne 1.00 %, < 1.20 %\n");
+  EXPECT_EQ(passed.out, "the bound is kept: acne 1.000 %, < 1.200 %\n");
 
   const ProgramResult failed = run_program({"check", bad, "--budget", budget(acne_budget), "--json"});
   EXPECT_EQ(failed.exit_code, 1) << failed.err;

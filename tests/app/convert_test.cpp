@@ -131,7 +131,7 @@ TEST(Convert, A_bias_that_a_target_cannot_say_is_lost_with_a_word) {
 
 TEST(Convert, The_metres_of_one_unit_have_their_sign_and_their_place) {
   const ProgramResult sun = convert({"courtyard", "--light", "sun", "--from", "three:bias=-0.001,near=1,far=51"});
-  EXPECT_NE(sun.out.find("one unit of bias is −50 m: "), std::string::npos) << sun.out;
+  EXPECT_NE(sun.out.find("one unit of bias is −50.0 m: "), std::string::npos) << sun.out;
   const ProgramResult lamp =
       convert({"courtyard", "--light", "spot", "--from", "three:bias=-0.001,near=0.01,far=500", "--to", "metres"});
   EXPECT_NE(lamp.out.find(" m at the nearest receiver, −"), std::string::npos) << lamp.out;
