@@ -127,7 +127,7 @@ constexpr std::array<std::string_view, 2> edge_units = {"texels", "m"};
 const Metric edge_displacement_metric = {"edge-displacement",
                                          "mean displacement of edges",
                                          "px",
-                                         "any; 0 is in place, above 0 shadows are larger",
+                                         "of either sign; 0 is in place, above 0 shadows are larger",
                                          "mean over the reference's edges of how far they moved into the light",
                                          "slanted-edge analysis as in ISO 12233, here by the light under each row",
                                          false,
@@ -151,7 +151,7 @@ const Metric edge_roughness_metric = {"edge-roughness",
 const Metric edge_width_metric = {"edge-width",
                                   "change of the width of penumbrae",
                                   "px",
-                                  "any; 0 is as wide as the reference, above 0 is softer",
+                                  "of either sign; 0 is as wide as the reference, above 0 is softer",
                                   "mean over the reference's edges of the width of a linear ramp with the slope of the "
                                   "middle of the penumbra, less the "
                                   "reference's",

@@ -40,7 +40,7 @@ void main() {
     total += connections[i];
   }
   // A pixel that is cut off on three or four sides takes a little from all, against flicker.
-  float leak = 0.5 * clamp((1.5 - total) / 1.5, 0.0, 1.0);
+  float leak = 0.5 / 1.5 * clamp(1.5 - total, 0.0, 1.0);
   float sum = center_weight * texelFetch(source, pixel, 0).r;
   float weights = center_weight;
   for (int i = 0; i < 4; ++i) connections[i] = min(connections[i] + leak, 1.0);

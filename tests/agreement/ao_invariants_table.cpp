@@ -27,8 +27,8 @@ const std::vector<Row>& rows() {
       {"full-sphere SSAO", {{"ao.technique", "crytek"}}},
       {"HBAO", {{"ao.technique", "hbao"}}},
       {"HBAO, tangent bias 0", {{"ao.technique", "hbao"}, {"ao.hbao-tangent-bias", "0"}}},
-      {"Alchemy AO, 2012", {{"ao.technique", "alchemy"}}},
-      {"Alchemy AO, 2012, mip chain", {{"ao.technique", "alchemy"}, {"ao.alchemy-mip-chain", "true"}}},
+      {"SAO", {{"ao.technique", "alchemy"}}},
+      {"SAO, mip chain", {{"ao.technique", "alchemy"}, {"ao.alchemy-mip-chain", "true"}}},
       {"GTAO, slices even in the image", {{"ao.technique", "gtao"}}},
       {"GTAO, slices even in angle", {{"ao.technique", "gtao"}, {"ao.slice-spacing", "angle"}}},
       {"GTAO, power 1", {{"ao.technique", "gtao"}, {"ao.gtao-power", "1"}}},
@@ -207,8 +207,8 @@ int run() {
       "- A period of 0 means a covariance of 0 or less between pixels one tile apart: after a box blur of the tile's "
       "size "
       "nothing\n  repeats. Other blurs leave some ([blur](blur.md)).\n"
-      "- Alchemy AO and ray marching measure heights above the tangent plane: exactly open at every angle.\n"
-      "  With the mip chain, far samples of Alchemy AO take the depth of another pixel and leave the plane\n"
+      "- SAO and ray marching measure heights above the tangent plane: exactly open at every angle.\n"
+      "  With the mip chain, far samples of SAO take the depth of another pixel and leave the plane\n"
       "  ([mip chain](alchemy.md#mip-chain)).\n");
   return 0;
 }

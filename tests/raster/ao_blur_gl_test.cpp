@@ -96,7 +96,7 @@ Image<double> denoised(const Image<double>& source, const GBuffer& surfels, doub
       if (!surfels.is_surface(index(at))) continue;
       double l = edge(at, left) * edge(at + left, right), r = edge(at, right) * edge(at + right, left);
       double u = edge(at, up) * edge(at + up, down), d = edge(at, down) * edge(at + down, up);
-      const double leak = 0.5 * std::clamp((4.0 - 2.5 - l - r - u - d) / (4.0 - 2.5), 0.0, 1.0);
+      const double leak = 0.5 * std::clamp(4.0 - 2.5 - l - r - u - d, 0.0, 1.0) / (4.0 - 2.5);
       for (double* each : {&l, &r, &u, &d}) *each = std::min(*each + leak, 1.0);
       double sum = center_weight * source[index(at)];
       double weights = center_weight;
@@ -121,6 +121,10 @@ TEST_F(AoMethodsGl, The_denoiser_of_XeGTAO_is_that_of_the_processor_and_sharpens
   add_mesh(scene, ground(20));
   add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
   add_mesh(scene, box({-0.02f, 1, -0.02f}, {0.02f, 2, 0.02f}));  // one pixel wide: cut off on both sides
+  for (int i = 0; i < 9; ++i) {                                  // a pixel each: cut off on all sides
+    const vec3 center(0.25 * i - 1.0, 2.2, 0.0);
+    add_mesh(scene, box(center - 0.03f, center + 0.03f));
+  }
   const View view = perspective_view(65, 48, {2, 3, 4}, {0, 1.5, 0});
   AoParams params = method(AoTechniques::choice<Ssao>);
   params.sampling.samples = 8;
