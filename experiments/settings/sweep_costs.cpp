@@ -14,7 +14,7 @@ constexpr std::size_t rest = stage_count;  // behind the stages
 constexpr std::size_t most_values = 5;     // of an axis of numbers
 constexpr std::size_t parts_of_samples = 8;
 // A longer budget is so much of the time of the sweep, and at most so many times as long.
-constexpr double share_of_all = 0.02;
+constexpr double share_of_all = 0.03;
 constexpr double most_budgets = 6.0;
 
 // The times of stages and rest; negative where one did not run.
