@@ -134,7 +134,7 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
       "or "
       "two texels of an edge, or within half a pixel where that is more; acne lies farther away.";
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
-  figure.y = {"share", "share of each cause's error within it [%]", false};
+  figure.y = {"share", "share within the distance [%]", false};
   figure.series = "part";
   figure.series_label = "cause";
   figure.series_colors = {class_colors().begin() + 1, class_colors().begin() + 5};  // the four causes
