@@ -82,8 +82,8 @@ ExitCode merge_tune(const PlannedFolder& planned, const CommandLine& line, const
 
   run.load(console);
   require_planned(planned.folder, planned.plan, portable_identity(run));
-  note(console, fmt::format("{} of {} measured points were needed, in {} rounds", next.used, measured.points.size(),
-                            tuning.rounds.size()));
+  note(console, fmt::format("{} of {} measured points were needed, in {}", next.used, measured.points.size(),
+                            count_text(tuning.rounds.size(), "round")));
   measured.notes = collected.notes;
   if (const std::string text = makers_text("points", collected.makers); !text.empty()) measured.notes.push_back(text);
   return write_tune(run, folder, measured, console);
