@@ -15,8 +15,6 @@ namespace {
 
 using Row = std::pair<std::string, std::string>;
 
-constexpr double estimate_budget = 20.0;  // seconds
-
 std::string light_text(const Stages& stages, const Experiment& experiment, std::uint32_t light) {
   return fmt::format("{} ({}{})", stages.title(light), kind_of(stages.light(experiment, light)),
                      is_area(stages.light(experiment, light)) ? ", area light" : "");
@@ -83,12 +81,12 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
   return show(console, rows);
 }
 
-SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep, double budget) {
+SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep) {
   const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
   const WorkClock work = stages.work_clock();
   const double begin = clock_seconds();
   const double work_begin = work();
-  SweepCosts costs = measure_costs(sweep.plan, budget, [&](const CellGroup& group) {
+  SweepCosts costs = measure_costs(sweep.plan, cost_budget, [&](const CellGroup& group) {
     return stages.time_stages([&] { evaluate(group, [](std::size_t, std::span<const Value>) {}); });
   });
   const double scale = (clock_seconds() - begin) / (work() - work_begin);
@@ -118,7 +116,7 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
                                           is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)
                                               ? "one pass measures all cells of a group"
                                               : "each cell is measured separately"));
-  const SweepCosts costs = measure_costs(stages, sweep, estimate_budget);
+  const SweepCosts costs = measure_costs(stages, sweep);
   const double seconds = GroupCosts(costs, plan).seconds(0, groups);
   const std::string time = seconds < 1.0 ? "less than 1 s" : "about " + time_text(seconds);
   rows.emplace_back(

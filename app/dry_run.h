@@ -20,11 +20,11 @@ struct PlannedSweep {
 };
 
 /// Of a sweep: scene, view, light, axes, cells, groups, and the time that it would take. The estimate measures the
-/// groups that measure_costs() chooses, with a budget of 20 s of work.
+/// groups that measure_costs() chooses.
 ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep);
 
-/// The costs of its groups, from measuring some, with a budget in seconds by Stages::work_clock(). By that
-/// clock in proportion to each other, in all by the clock on the wall.
-SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep, double budget);
+/// The costs of its groups, from measuring some within cost_budget. Their proportions are by Stages::work_clock(),
+/// their sum is time by the clock on this machine.
+SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep);
 
 }  // namespace umbrameter

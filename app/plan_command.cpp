@@ -56,8 +56,7 @@ SweepCosts costs_of(SweepRun& sweep, StoreDescription& description, const Consol
   sweep.load(console);
   description = sweep.description();
   const double loading = clock_seconds() - start;
-  SweepCosts costs =
-      measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics}, cost_budget);
+  SweepCosts costs = measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics});
   costs.start_seconds += loading;
   return costs;
 }
@@ -78,7 +77,7 @@ void show_plan(const Console& console, const fs::path& folder, const ShardPlan& 
                                          {"start_seconds", starts}, {"repeated_seconds", repeated}};
     write_to(stdout, json.dump(2) + "\n");
   }
-  // What is added must add up.
+  // With a decimal, so that the parts add up to the whole.
   const auto time = [](double seconds) {
     return seconds < 10.0 ? fmt::format("{:.1f} s", seconds) : time_text(seconds);
   };

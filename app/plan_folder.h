@@ -10,9 +10,6 @@
 
 namespace umbrameter {
 
-/// Planning begins no measurement of what shards take after so many seconds of work.
-inline constexpr double cost_budget = 20.0;
-
 /// Throws Error (usage) unless the folder is missing or empty, or holds a plan and `force` is given.
 void require_free(const std::filesystem::path& folder, bool force);
 

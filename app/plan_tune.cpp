@@ -11,6 +11,7 @@
 #include "app/plan_folder.h"
 #include "app/planned_tune.h"
 #include "core/standard_streams.h"
+#include "experiments/settings/sweep_costs.h"
 #include "experiments/stages/work_clock.h"
 #include "present/run_output.h"
 #include "reports/files/text_layout.h"

@@ -40,7 +40,7 @@ class EnginesOfLight {
     depth.polygon_offset_units = std::max(depth.polygon_offset_units, engine.polygon_units);
   }
 
-  // With the polygon offset that the engine always has, and the best constant bias beside it.
+  // With the polygon offset that the engine always has, and the constant bias that is best with it.
   Experiment drawn_by(const BiasSpec& target) {
     Experiment drawn = experiment_;
     MapDepthParams& depth = drawn.shadow.map_depth;

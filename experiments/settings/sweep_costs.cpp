@@ -13,9 +13,8 @@ namespace {
 constexpr std::size_t rest = stage_count;  // behind the stages
 constexpr std::size_t most_values = 5;     // of an axis of numbers
 constexpr std::size_t parts_of_samples = 8;
-// A longer budget is so much of the time of the sweep, and at most so many times as long.
-constexpr double share_of_all = 0.03;
-constexpr double most_budgets = 6.0;
+constexpr double share_of_all = 0.03;  // of the sweep's time, to which the budget grows
+constexpr double most_budgets = 6.0;   // it never grows to more than so many times its value
 
 // The times of stages and rest; negative where one did not run.
 using Times = std::vector<double>;
@@ -170,7 +169,7 @@ double sum_of(const Times& times) {
   return sum;
 }
 
-// What the samples say; of an axis that none varies as its declared inputs say.
+// Where no sample varies an axis, the declared inputs of the stages say what depends on it.
 SweepCosts costs_from(const SweepPlan& plan, const Samples& samples) {
   SweepCosts costs;
   costs.measured = samples.count;
@@ -225,7 +224,7 @@ class GroupSampler {
     for (std::size_t a = steps_.size(); a-- > 0;) measure_axis(a);
     measure_first();  // now what depends on the last axis runs there too
     choose_corner();
-    // What is left is for how the axes act on each other.
+    // The rest of the time tells how the axes act on each other.
     const double all = GroupCosts(costs_from(given_, samples_), given_).seconds(0, count_groups(given_));
     budget_ = std::clamp(share_of_all * all, budget_, most_budgets * budget_);
     if (has_time()) samples_.at_corner = sample(group_at(plan_, corner_));

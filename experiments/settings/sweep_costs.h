@@ -31,6 +31,9 @@ struct SweepCosts {
   std::size_t measured = 0;     ///< groups that were measured
 };
 
+/// The usual budget of measure_costs(), seconds of work.
+inline constexpr double cost_budget = 20.0;
+
 using MeasureGroup = std::function<GroupTime(const CellGroup&)>;
 
 /// Measures the first group, other values of each axis with the first values of the others, and a part of the first
