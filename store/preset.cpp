@@ -49,8 +49,13 @@ Preset read_preset(const fs::path& path) {
 
 std::vector<Preset> installed_presets() {
   std::vector<Preset> presets;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(data_folder() / "presets", ignored)) {
+  const fs::path folder = data_folder() / "presets";
+  std::error_code error;
+  const fs::directory_iterator entries(folder, error);
+  if (error) {
+    throw Error(ExitCode::unreadable_input, folder.string(), error.message(), "set UMBRAMETER_DATA to its folder");
+  }
+  for (const fs::directory_entry& entry : entries) {
     if (entry.path().extension() == ".toml") presets.push_back(read_preset(entry.path()));
   }
   std::ranges::sort(presets, {}, &Preset::name);

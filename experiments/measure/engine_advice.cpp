@@ -20,7 +20,8 @@ class EnginesOfLight {
         layout_(with_depth_encoding(*stages.layout(experiment, light), experiment.shadow.map_depth)),
         places_(places_of(stages.light(experiment, light), layout_, stages.surfels(experiment)->gbuffer)) {}
 
-  EngineAdvice advise(const BiasSpec& target) {
+  EngineAdvice advise(const BiasSpec& given) {
+    const BiasSpec target = at_light(given, places_.front());
     EngineAdvice advice;
     advice.left_out_slope = experiment_.shadow.bias.slope;
     std::vector<BiasTerms> terms = terms_of(drawn_by(target), layout_, places_);

@@ -200,7 +200,7 @@ SweepCosts costs_from(const SweepPlan& plan, const Samples& samples) {
 class GroupSampler {
  public:
   GroupSampler(SweepPlan plan, double budget, const MeasureGroup& measure)
-      : given_(plan), whole_(group_at(plan, 0)), plan_(std::move(plan)), budget_(budget), measure_(measure) {
+      : given_(plan), whole_(group_at(plan, 0)), plan_(std::move(plan)), least_budget_(budget), measure_(measure) {
     // Parts of groups take less time, and stages as long as for the whole.
     cut_groups(plan_, parts_of_group(plan_) * parts_of_samples);
     first_ = group_at(plan_, 0);
@@ -224,11 +224,11 @@ class GroupSampler {
     for (std::size_t a = steps_.size(); a-- > 0;) measure_axis(a);
     measure_first();  // now what depends on the last axis runs there too
     choose_corner();
-    // The rest of the time tells how the axes act on each other.
-    const double all = GroupCosts(costs_from(given_, samples_), given_).seconds(0, count_groups(given_));
-    budget_ = std::clamp(share_of_all * all, budget_, most_budgets * budget_);
+    // The rest of the time tells how the axes act on each other. Without it the time of all is a guess.
+    set_budget();
     if (has_time()) samples_.at_corner = sample(group_at(plan_, corner_));
     for (std::size_t i = 0; i < most_values; ++i) {
+      set_budget();
       for (std::size_t a = steps_.size(); a-- > 0;) measure_from_corner(a, i);
     }
     return std::move(samples_);
@@ -237,6 +237,10 @@ class GroupSampler {
  private:
   const SweepAxis& axis(std::size_t a) const { return plan_.axes[plan_.outer[a]]; }
   bool has_time() const { return spent_ < budget_; }
+  void set_budget() {
+    const double all = GroupCosts(costs_from(given_, samples_), given_).seconds(0, count_groups(given_));
+    budget_ = std::clamp(share_of_all * all, least_budget_, most_budgets * least_budget_);
+  }
 
   Times sample(const CellGroup& group) {
     Times times = times_of(measure_(group));
@@ -304,7 +308,8 @@ class GroupSampler {
   SweepPlan given_;
   CellGroup whole_;
   SweepPlan plan_;
-  double budget_;
+  double least_budget_;
+  double budget_ = least_budget_;
   const MeasureGroup& measure_;
   CellGroup first_{};
   std::vector<std::size_t> steps_;  // for each outer axis: groups from one value to the next

@@ -190,6 +190,20 @@ std::vector<Value> scanned_values(const TuneAxis& axis, const Value& best) {
   return values;
 }
 
+// What the search evaluated on the axis, too.
+void add_evaluated(AxisScan& scan, const std::vector<TuneAxis>& axes, const TuneResult& result) {
+  for (const TunePoint& point : result.points) {
+    std::vector<Value> on_axis = result.best.values;
+    on_axis[scan.axis] = point.values[scan.axis];
+    const auto has_value = [&](const TunePoint& each) { return each.values == point.values; };
+    if (on_axis == point.values && std::ranges::none_of(scan.points, has_value)) scan.points.push_back(point);
+  }
+  const TuneAxis& axis = axes[scan.axis];
+  if (axis.is_word()) return;
+  std::ranges::stable_sort(scan.points, {},
+                           [&](const TunePoint& point) { return position_of(axis, point.values[scan.axis]); });
+}
+
 }  // namespace
 
 std::string key_of(const TuneQuery& query, std::optional<std::size_t> exact) {
@@ -224,6 +238,7 @@ std::vector<AxisScan> scan_axes(const SearchInput& input, const TuneResult& resu
       const bool is_best = value == result.best.values[a];
       scan.points.push_back(is_best ? result.best : ask({TuneQuery::Kind::scan, point}, result.goal));
     }
+    add_evaluated(scan, input.axes, result);
   }
   return scans;
 }

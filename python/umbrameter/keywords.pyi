@@ -81,6 +81,8 @@ class Keywords(TypedDict, total=False):
     """depth that the map stores: linear, of a projection matrix, or that reversed; linear, perspective or reversed. Default: linear."""
     shadow_depth_near: float
     """near plane of perspective encodings, spot and point lights [m]; a number from 1e-06 to 1e+12. Default: 0.1."""
+    shadow_receiver_precision: Literal['full', 'single']
+    """of receivers' depths in a spot light's perspective encoding; single: as in engines; full or single. Default: full."""
     shadow_faces: Literal['all', 'front', 'back']
     """faces that cast, seen from the light; all, front or back. Default: all."""
     shadow_surface: Literal['nearest', 'midpoint', 'second', 'dual']
@@ -113,6 +115,8 @@ class Keywords(TypedDict, total=False):
     """factor of the normal offset: sin θ, 1, 1 − cos θ or sin θ + 0.168; sine, constant, one-minus-cosine or eevee. Default: sine."""
     shadow_normal_offset_direction: Literal['normal', 'across']
     """normal offset along the normal, or only its part across the light; normal or across. Default: normal."""
+    shadow_normal_offset_facing: Literal['viewer', 'front']
+    """normal of back faces: turned to the viewer, or that of the front; viewer or front. Default: viewer."""
     shadow_normal_offset_texel: Literal['receiver', 'middle']
     """texel of the normal offset: at the receiver, or in the middle of a warped map; receiver or middle. Default: receiver."""
     shadow_receiver_plane: bool

@@ -5,6 +5,8 @@ layout(std140) uniform LightBlock {
   dvec4 face_basis[18];            // cube face i, in light space: [3i] right, [3i + 1] up, [3i + 2] forward
   dvec4 map_views[MAX_MAP_VIEWS];  // x, y: centre in light space, metres; z: half extent, metres or tangent;
                                    // w: largest view depth, metres
+  vec4 receiver_z;  // with ROUNDS_RECEIVERS: ClipRows of techniques/shadow/map_depth.h
+  vec4 receiver_w;
   vec4 bias_factors[MAX_MAP_VIEWS / 4];  // of the constant bias, of each view
   dvec4 view_depth_plane;          // view depth = xyz · position in light space + w, metres
   dvec2 warp_center;  // with MAP_WARPED: MapWarp of techniques/shadow/map_warp.h
@@ -36,6 +38,6 @@ layout(std140) uniform LightBlock {
   int is_stable;         // 1: vertices are drawn at whole 1/256 texels
   int offset_profile;    // one of OFFSET_…
   int offset_is_across;  // 1: only the part of the normal offset across the light
-  int unused;
+  int offset_is_of_front;  // 1: where a back face is seen, that of its front
   double warp_depth_scale;
 };

@@ -1,6 +1,7 @@
 // Projects world positions to the light's map, fetches taps and compares depths.
 #include "arithmetic.glsl"
 #include "light.glsl"
+#include "map_depth.glsl"
 #include "map_warp.glsl"
 uniform sampler2DArray shadow_depth;
 uniform usampler2DArray shadow_ids;
@@ -141,7 +142,11 @@ Receiver project_to_map(dvec3 world, double dither) {
 #else
   dvec3 q = dvec3(p.xy, -p.z);
   r.axis_depth = q.z;
+#if ROUNDS_RECEIVERS
+  r.depth = depth_in_floats(vec3(world), receiver_z, receiver_w, encoded_near, far_depth);
+#else
   r.depth = r.axis_depth;
+#endif
 #endif
   r.is_inside = r.axis_depth > 0.0lf;
   projected = r.is_inside ? q.xy / (q.z * map_views[0].z) : dvec2(0.0lf);

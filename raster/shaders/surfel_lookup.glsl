@@ -1,6 +1,7 @@
 // Projects a surfel of the G-buffer to the light's map.
 #include "light_map.glsl"
 #include "normal_offset.glsl"
+#include "scene.glsl"
 uniform usampler2D ids;
 uniform sampler2D position_depth;
 uniform sampler2D geometric_normal;
@@ -22,6 +23,16 @@ double dither_at(ivec2 pixel) {
   return (double(rank) + 0.5lf) / 64.0lf;
 }
 
+// 1 if the pixel sees the front of its triangle, -1 if its back. normal: towards the viewer.
+double side_of(ivec2 pixel, dvec3 normal) {
+  uvec2 id = texelFetch(ids, pixel, 0).rg;
+  uvec3 v = vertices_of(id.x, id.y);
+  dvec3 a = dvec3(mesh_position(id.x, v.x));
+  dvec3 of_front = world_from_normal(
+      id.x, cross(dvec3(mesh_position(id.x, v.y)) - a, dvec3(mesh_position(id.x, v.z)) - a));
+  return (dot(of_front, normal) < 0.0lf) == is_mirrored(id.x) ? 1.0lf : -1.0lf;
+}
+
 Lookup look_up(ivec2 pixel) {
   Lookup result;
   dvec3 position = dvec3(texelFetch(position_depth, pixel, 0).xyz);
@@ -36,8 +47,9 @@ Lookup look_up(ivec2 pixel) {
   if (normal_offset != 0.0 || offset_metres != 0.0lf) {
     // With the profile sin θ: D. Holbert, Saying "Goodbye" to Shadow Acne, GDC 2011.
     precise double distance = length_of(to_light);
-    precise double shift = (double(normal_offset) * double(texel) + offset_metres) *
-                           offset_scale(offset_profile, sine / distance, cosine / distance);
+    double side = offset_is_of_front != 0 ? side_of(pixel, normal) : 1.0lf;
+    precise double shift = side * (double(normal_offset) * double(texel) + offset_metres) *
+                           offset_scale(offset_profile, sine / distance, side * cosine / distance);
     precise dvec3 direction = normal;
     if (offset_is_across != 0) direction -= to_light * (cosine / (distance * distance));
     precise dvec3 moved = position + direction * shift;

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "raster/shader_interface.h"
+#include "techniques/shadow/map_depth.h"
 
 namespace umbrameter {
 
@@ -33,12 +34,18 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
   block.uses_neighbour = layout.uses_neighbour ? 1 : 0;
   block.far_depth = layout.far_depth;
   block.encoded_near = layout.encoded_near;
+  if (layout.rounds_receivers) {
+    const ClipRows rows = clip_rows(layout);
+    block.receiver_z = rows.z;
+    block.receiver_w = rows.w;
+  }
   block.resolution = layout.resolution;
   return block;
 }
 
 std::string map_defines(const MapLayout& layout) {
   return define("MAP_KIND", static_cast<unsigned>(layout.kind)) + define("MAP_WARPED", layout.warp ? 1 : 0) +
+         define("ROUNDS_RECEIVERS", layout.rounds_receivers ? 1 : 0) +
          define("STORES_OVER_W", layout.warp && layout.warp->stores_over_w ? 1 : 0);
 }
 

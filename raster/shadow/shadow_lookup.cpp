@@ -90,6 +90,7 @@ gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, Len
   block.offset_metres = offset.metres;
   block.offset_profile = static_cast<int>(offset.profile);
   block.offset_is_across = lookup.bias.offset_direction == OffsetDirection::across ? 1 : 0;
+  block.offset_is_of_front = lookup.bias.offset_facing == OffsetFacing::front ? 1 : 0;
   block.cone_bias = static_cast<float>(lookup.bias.cone);
   block.bias_unit = static_cast<int>(bias_unit);
   for (std::size_t v = 0; v < lookup.map.layout.views.size(); ++v) {

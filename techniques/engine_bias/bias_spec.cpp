@@ -134,8 +134,20 @@ BiasSpec default_target(const BiasEngine& engine) {
   BiasSpec spec;
   spec.engine = &engine;
   spec.settings.described = &engine.settings;
-  for (const BiasSetting& setting : engine.settings) spec.settings.values.push_back(setting.value);
+  for (const BiasSetting& setting : engine.settings) {
+    spec.settings.values.push_back(setting.is_light_range ? no_default : setting.value);
+  }
   for (const BiasNumber& number : engine.numbers) spec.numbers.push_back(number.value);
+  return spec;
+}
+
+BiasSpec at_light(BiasSpec spec, const MapPlace& place) {
+  for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
+    const BiasSetting& setting = spec.engine->settings[i];
+    const bool is_open = setting.is_light_range && place.light != LightKind::directional;
+    if (!is_open || !std::isnan(spec.settings.values[i])) continue;
+    spec.settings.values[i] = place.light_range > 0.0 ? place.light_range : setting.value;
+  }
   return spec;
 }
 

@@ -89,6 +89,8 @@ std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, con
     return places;
   }
   const bool is_spot = std::holds_alternative<SpotLight>(light.shape);
+  const auto* const point = std::get_if<PointLight>(&light.shape);
+  const double range = is_spot ? std::get<SpotLight>(light.shape).range : point != nullptr ? point->range : 0.0;
   const LightKind kind = layout.warp ? LightKind::directional : is_spot ? LightKind::spot : LightKind::point;
   const auto place_at = [&](const char* name, const dvec3& position) {
     const dvec3 local(layout.light_from_world * dvec4(position, 1.0));
@@ -97,8 +99,9 @@ std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, con
     const double depth = layout.warp ? local.y - layout.warp->center.y
                          : is_spot   ? size.z
                                      : std::max({size.x, size.y, size.z});
-    return MapPlace{name, kind, texel_at(layout, position), metres_per_map_depth(layout, depth), layout.resolution,
-                    depth};
+    return MapPlace{
+        name,  kind, texel_at(layout, position), metres_per_map_depth(layout, depth), layout.resolution, depth,
+        false, range};
   };
   for (std::size_t i = 0; i < surfels.depth.size(); ++i) {
     if (!surfels.is_surface(i)) continue;
@@ -207,7 +210,7 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
 
 ConvertedTarget convert_terms(const std::vector<BiasTerms>& terms, BiasSpec target,
                               const std::vector<MapPlace>& places) {
-  ConvertedTarget converted{std::move(target), {}, {}};
+  ConvertedTarget converted{at_light(std::move(target), places.front()), {}, {}};
   converted.places = places_for(converted.spec, places);
   for (std::size_t i = 0; i < places.size(); ++i) {
     converted.conversions.push_back(convert(terms[i], converted.spec, converted.places[i]));
@@ -224,7 +227,7 @@ bool is_complete(const ConvertedTarget& target) {
 }
 
 ConvertedBias convert_bias(BiasSpec source, std::vector<BiasSpec> targets, const std::vector<MapPlace>& places) {
-  ConvertedBias result{std::move(source), places, {}, {}, {}, false};
+  ConvertedBias result{at_light(std::move(source), places.front()), places, {}, {}, {}, false};
   result.source_places = places_for(result.source, places);
   for (const MapPlace& place : result.source_places) result.terms.push_back(terms_of(result.source, place));
   result.takes_all = targets.empty();

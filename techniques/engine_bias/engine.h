@@ -26,6 +26,7 @@ struct MapPlace {
   /// from the light along the map's axis, metres; of a directional light 0, or from the centre of its map's warp
   double depth = 0.0;
   bool is_range_given = false;  ///< `range` is the user's own, and comes before an engine's settings
+  double light_range = 0.0;     ///< of a spot or point light, metres; 0: unlimited
 };
 
 /// What a number changes. constant: receiver towards the light, or caster away from it, metres. normal: a
@@ -55,6 +56,7 @@ struct BiasSetting {
   std::string_view unit;
   std::string_view meaning;
   std::vector<std::pair<std::string_view, double>> choices{};
+  bool is_light_range = false;  ///< the light's own where none is given, and the default where that is unlimited
 };
 
 /// Values of an engine's settings, in their order.

@@ -246,7 +246,7 @@ std::vector<BiasEngine> unity() {
                      "1",
                      "quality of soft shadows; off for hard ones",
                      {{"off", 1.0}, {"low", 1.5}, {"medium", 2.5}, {"high", 3.5}}},
-                    {"lightRange", 10.0, "m", "range of a spot light"}},
+                    {"lightRange", 10.0, "m", "range of a spot light, by default the file's, or 10 m", {}, true}},
        .note =
            "in addition every caster is drawn with polygon offset factor 2.5, units 1. The light's numbers are read "
            "only if its bias is set to Custom, else those of the pipeline asset",

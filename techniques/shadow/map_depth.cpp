@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <glm/gtc/matrix_access.hpp>
 #include <limits>
 #include <string_view>
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> depth_format_names{"32f", "16f", "24", "16"};
 constexpr std::array<std::string_view, 3> encoding_names{"linear", "perspective", "reversed"};
+constexpr std::array<std::string_view, 2> precision_names{"full", "single"};
 constexpr std::array<std::string_view, 3> face_names{"all", "front", "back"};
 constexpr std::array<std::string_view, 2> point_map_names{"cube", "paraboloid"};
 constexpr std::array<std::string_view, 4> surface_names{"nearest", "midpoint", "second", "dual"};
@@ -49,6 +51,9 @@ Parameters describe(MapDepthParams& params) {
               {.unit = {}, .meaning = "depth that the map stores: linear, of a projection matrix, or that reversed"})
       .field("depth-near", params.near_depth,
              {.unit = "m", .meaning = "near plane of perspective encodings, spot and point lights", .min = 1e-6})
+      .choice(
+          "receiver-precision", params.receiver_precision, precision_names,
+          {.unit = {}, .meaning = "of receivers' depths in a spot light's perspective encoding; single: as in engines"})
       .choice("faces", params.faces, face_names, {.unit = {}, .meaning = "faces that cast, seen from the light"})
       .choice("surface", params.surface, surface_names,
               {.unit = {}, .meaning = "surface whose depth the map holds, of the first two that the light meets"})
@@ -75,6 +80,7 @@ Parameters read_parameters(MapDepthParams& params) {
   Parameters read = describe(params);
   std::erase_if(read, [&](const Parameter& each) {
     return (each.key == "shadow.depth-near" && params.encoding == DepthEncoding::linear) ||
+           (each.key == "shadow.receiver-precision" && params.encoding != DepthEncoding::perspective) ||
            (each.key == "shadow.dual-offset" && params.surface != StoredSurface::dual);
   });
   return read;
@@ -101,8 +107,16 @@ int depth_mapping(const MapDepthParams& params, const MapLayout& layout) {
 
 MapLayout with_depth_encoding(MapLayout layout, const MapDepthParams& params) {
   layout.encoded_near = is_perspective(depth_mapping(params, layout)) ? params.near_depth : 0.0;
+  layout.rounds_receivers = params.receiver_precision == ReceiverPrecision::single &&
+                            layout.kind == MapKind::perspective && params.encoding == DepthEncoding::perspective;
   if (layout.warp) layout.warp->stores_over_w = params.encoding != DepthEncoding::linear;
   return layout;
+}
+
+ClipRows clip_rows(const MapLayout& layout) {
+  const dvec4 depth = -glm::row(layout.light_from_world, 2);
+  const double scale = layout.far_depth / (layout.far_depth - layout.encoded_near);
+  return {vec4(scale * (depth - dvec4(0.0, 0.0, 0.0, layout.encoded_near))), vec4(depth)};
 }
 
 bool stores_linear_floats(const MapDepthParams& params, const MapLayout& layout) {

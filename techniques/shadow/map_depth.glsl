@@ -39,3 +39,13 @@ SHARED double decode_depth(int mapping, double stored, double near_depth, double
   if (mapping == DEPTH_PERSPECTIVE) return near_depth * far_depth / (far_depth - across);
   return near_depth * far_depth / (near_depth + across);
 }
+
+/// The depth of a position that is multiplied by a matrix and divided by w in 32-bit floats. z_row and w_row: the last two
+/// rows of the matrix, whose depth is the number that DEPTH_PERSPECTIVE stores.
+SHARED double depth_in_floats(vec3 p, vec4 z_row, vec4 w_row, double near_depth, double far_depth) {
+  PRECISE float z = z_row.x * p.x + z_row.y * p.y + z_row.z * p.z + z_row.w;
+  PRECISE float w = w_row.x * p.x + w_row.y * p.y + w_row.z * p.z + w_row.w;
+  // The nearest float, as not every device divides floats so.
+  float stored = float(double(z) / double(w));
+  return decode_depth(DEPTH_PERSPECTIVE, double(stored), near_depth, far_depth);
+}

@@ -25,7 +25,9 @@ inline constexpr int DEPTH_OVER_W = 4;
 inline constexpr int DEPTH_REVERSED_OVER_W = 5;
 
 #define SHARED inline
+#define PRECISE
 #include "techniques/shadow/map_depth.glsl"
+#undef PRECISE
 #undef SHARED
 
 }  // namespace shared
@@ -40,6 +42,11 @@ enum class CasterFaces : int { all, front, back };
 /// The surface whose depth the map holds; from the first two layers that the light's ray through a texel meets.
 enum class StoredSurface : int { nearest, midpoint, second, dual };
 
+/// How look-ups compute the depth of a receiver in a spot light's map with the perspective encoding. full: in double
+/// precision. single: as engines do it, by a matrix and a division in 32-bit floats, whose error grows with the square
+/// of the depth over the near plane.
+enum class ReceiverPrecision : int { full, single };
+
 /// The map of a point light.
 enum class PointMap : int { cube, paraboloid };
 
@@ -53,6 +60,7 @@ struct MapDepthParams {
   MapDepthFormat format = MapDepthFormat::f32;
   DepthEncoding encoding = DepthEncoding::linear;
   double near_depth = 0.1;  ///< metres; of perspective encodings
+  ReceiverPrecision receiver_precision = ReceiverPrecision::full;
   CasterFaces faces = CasterFaces::all;
   StoredSurface surface = StoredSurface::nearest;
   double dual_offset = 0.02;           ///< metres
@@ -71,6 +79,13 @@ MapLayout with_point_map(MapLayout layout, PointMap point_map);
 
 /// The layout of a map that stores its depth so.
 MapLayout with_depth_encoding(MapLayout layout, const MapDepthParams& params);
+
+/// The last two rows of the matrix from the world to the clip space of a spot light's map, whose depth is from 0 to 1.
+struct ClipRows {
+  vec4 z{0.0f};
+  vec4 w{0.0f};
+};
+ClipRows clip_rows(const MapLayout& layout);
 
 /// Whether the map has a projection with a centre, for which perspective encodings differ from linear ones.
 inline bool is_projective(MapKind kind) { return kind == MapKind::perspective || kind == MapKind::cube; }

@@ -63,6 +63,7 @@ struct MapLayout {
   double far_depth = 1.0;       ///< metres; every surface is nearer. Stored depth = depth / far_depth, at least 0.
   /// Near plane if the map stores the depth of a perspective projection, metres; 0: it stores a linear depth.
   double encoded_near = 0.0;
+  bool rounds_receivers = false;  ///< the depth of receivers is that of depth_in_floats(), map_depth.glsl
   std::vector<MapView> views = std::vector<MapView>(1);
   /// Of the only view of an orthographic map, whose centre and extent are then those of the square around its area.
   std::optional<MapWarp> warp;

@@ -18,6 +18,10 @@ inline constexpr double eevee_share = 0.16785171781851177;
 /// normal: along the normal; across: only the part of that which is perpendicular to the direction to the light.
 enum class OffsetDirection : int { normal, across };
 
+/// Which normal a double-sided face has where its back is seen: viewer: turned to the viewer, front: that of its front,
+/// as in engines that offset in the vertex shader.
+enum class OffsetFacing : int { viewer, front };
+
 /// The texel that a normal offset in texels means: at the receiver, or in the middle of a warped map for all receivers.
 enum class OffsetTexel : int { receiver, middle };
 

@@ -12,6 +12,7 @@ constexpr std::array<std::string_view, 9> shadow_filter_names{
     "nearest", "bilinear", "box", "tent", "gaussian", "poisson", "vogel", "optimized", "area-tent"};
 constexpr std::array<std::string_view, 2> filter_taps_names{"nearest", "linear"};
 constexpr std::array<std::string_view, 2> offset_direction_names{"normal", "across"};
+constexpr std::array<std::string_view, 2> offset_facing_names{"viewer", "front"};
 constexpr std::array<std::string_view, 2> offset_texel_names{"receiver", "middle"};
 constexpr std::array<std::string_view, 3> disk_rotation_names{"random", "fixed", "gradient"};
 
@@ -43,6 +44,8 @@ Parameters describe(BiasParams& params) {
               {.unit = {}, .meaning = "factor of the normal offset: sin θ, 1, 1 − cos θ or sin θ + 0.168"})
       .choice("normal-offset-direction", params.offset_direction, offset_direction_names,
               {.unit = {}, .meaning = "normal offset along the normal, or only its part across the light"})
+      .choice("normal-offset-facing", params.offset_facing, offset_facing_names,
+              {.unit = {}, .meaning = "normal of back faces: turned to the viewer, or that of the front"})
       .choice("normal-offset-texel", params.offset_texel, offset_texel_names,
               {.unit = {}, .meaning = "texel of the normal offset: at the receiver, or in the middle of a warped map"})
       .field("receiver-plane", params.receiver_plane,

@@ -28,6 +28,7 @@ struct BiasParams {
   double slope = 0.0;
   NormalOffset normal_offset;
   OffsetDirection offset_direction = OffsetDirection::normal;
+  OffsetFacing offset_facing = OffsetFacing::viewer;
   OffsetTexel offset_texel = OffsetTexel::receiver;
   bool receiver_plane = false;
   double cone = 0.0;

@@ -49,7 +49,7 @@ Parameters read_by_technique(ShadowParams& params) {
         {read_parameters(params.map_depth),
          select(describe(params.bias),
                 {"shadow.constant-bias", "shadow.slope-bias", "shadow.normal-offset", "shadow.normal-offset-metres",
-                 "shadow.normal-offset-profile", "shadow.normal-offset-direction"}),
+                 "shadow.normal-offset-profile", "shadow.normal-offset-direction", "shadow.normal-offset-facing"}),
          read_offset_texel(params), T::map_parameters(params), T::lookup_parameters(params)});
   } else {
     return T::reads(params);

@@ -145,6 +145,12 @@ TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {
     grid.map_depth = params;
     for (const Light& light : lights_) expect_agreement(light, grid);
   }
+  grid.map_depth = set([](MapDepthParams& p) {
+    p.encoding = DepthEncoding::perspective;
+    p.near_depth = 0.01;
+    p.receiver_precision = ReceiverPrecision::single;
+  });
+  expect_agreement(lights_[1], grid);
   grid.map_depth = set([](MapDepthParams& p) { p.point_map = PointMap::paraboloid; });
   expect_agreement(lights_[2], grid);
 }

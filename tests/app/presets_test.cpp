@@ -74,6 +74,11 @@ TEST(Presets, An_unknown_name_and_a_broken_file_are_one_line) {
   EXPECT_NE(unknown.err.find("did you mean 'playcanvas-pcf1' or 'playcanvas-pcf3'?"), std::string::npos) << unknown.err;
 
   const TemporaryFolder folder;
+  ProgramOptions elsewhere;
+  elsewhere.environment = {"UMBRAMETER_DATA=" + folder.path().string()};
+  const ProgramResult missing = run_program({"presets"}, elsewhere);
+  EXPECT_EQ(missing.exit_code, 4);
+  EXPECT_NE(missing.err.find("set UMBRAMETER_DATA to its folder"), std::string::npos) << missing.err;
   std::filesystem::create_directories(folder / "presets");
   const char* const head = "[preset]\nengine = \"E\"\nmeaning = \"m\"\nsource = \"s\"\n";
   for (const auto& [text, message] :

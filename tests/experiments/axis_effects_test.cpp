@@ -84,7 +84,7 @@ TEST(AxisEffects, Every_parameter_of_a_technique_is_read_with_some_settings) {
   };
   const std::vector<std::string> shadow_settings = {"shadow.cascades=2",         "shadow.fit=bounds",
                                                     "shadow.split-range=camera", "shadow.pancaking=true",
-                                                    "shadow.surface=dual",       "shadow.depth-encoding=reversed",
+                                                    "shadow.surface=dual",       "shadow.depth-encoding=perspective",
                                                     "shadow.filter=box",         "shadow.contact-shadows=true"};
   // What a single map reads that is fitted to the view.
   const std::vector<std::string> view_settings = {"shadow.fit=view", "shadow.warp=lispsm", "shadow.split-range=camera",

@@ -121,7 +121,7 @@ TEST(PresetBias, Every_preset_is_its_engines_numbers_and_these_are_it) {
     SCOPED_TRACE(preset.name);
     const Mapped own(preset);
     ASSERT_GE(own.places.size(), 1u);
-    BiasSpec spec = parse_bias_source(preset.numbers);
+    BiasSpec spec = at_light(parse_bias_source(preset.numbers), own.places.front());
     expect_numbers(own.terms(), spec, own.places, of_a_preset);
     expect_same(*spec.engine, terms_at(spec, own.places), own.terms(), of_a_preset);
     ++converted;

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "core/error.h"
 #include "experiments/settings/experiment.h"
@@ -102,6 +104,20 @@ InRounds expect_same_as_alone(const Tuning& tuning, std::size_t wanted) {
   EXPECT_EQ(in_rounds.used, measured);
   EXPECT_GE(in_rounds.measured, measured);
   return in_rounds;
+}
+
+TEST(TuneRounds, Along_an_axis_every_evaluated_point_counts_that_lies_on_it) {
+  const Tuning tuning = tuning_of({two_numbers.front()}, {1.0},
+                                  [](const std::vector<Value>& values) { return bowl(to_number(values[0]), 0.0); });
+  std::size_t measured = 0;
+  const TuneResult result = tune_alone(tuning, measured);
+  std::set<double> expected;
+  for (const TunePoint& point : result.points) expected.insert(to_number(point.values[0]));
+  std::vector<double> scanned;
+  for (const TunePoint& point : result.scans.front().points) scanned.push_back(to_number(point.values[0]));
+  EXPECT_TRUE(std::ranges::is_sorted(scanned, std::less_equal<>()));
+  EXPECT_TRUE(std::ranges::includes(scanned, expected));
+  EXPECT_GT(expected.size(), 20u);
 }
 
 // 60 evaluations, the default and 12 points along the axes: measured one after the other, 73 rounds.

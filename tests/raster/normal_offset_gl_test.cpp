@@ -79,6 +79,40 @@ TEST_F(NormalOffsetGl, A_receiver_moves_by_its_profile_along_the_normal_or_acros
   }
 }
 
+// A plane that is seen and lit from its back, once by its winding and once by a mirrored instance.
+TEST_F(NormalOffsetGl, The_normal_of_the_front_moves_the_receiver_of_a_back_face_into_its_surface) {
+  Mesh turned = ground(30.0f);
+  for (uvec3& triangle : turned.triangles) std::swap(triangle.y, triangle.z);
+  Scene from_behind;
+  add_mesh(from_behind, turned);
+  Scene mirrored_from_behind;
+  add_mesh(mirrored_from_behind, turned, glm::scale(dmat4(1.0), dvec3(-1, 1, 1)));
+  Scene mirrored;
+  add_mesh(mirrored, ground(30.0f), glm::scale(dmat4(1.0), dvec3(-1, 1, 1)));
+  constexpr double theta = 0.9;
+  for (const OffsetProfile profile : {OffsetProfile::sine, OffsetProfile::constant, OffsetProfile::one_minus_cosine}) {
+    for (const OffsetDirection direction : {OffsetDirection::normal, OffsetDirection::across}) {
+      const auto lit = [&](const Scene& scene, OffsetFacing facing, double texels) {
+        ShadowParams params = without_bias();
+        params.bias.normal_offset = {texels, 0.0, profile};
+        params.bias.offset_direction = direction;
+        params.bias.offset_facing = facing;
+        return lit_share(theta, scene, params);
+      };
+      const double outwards = lit(plane(), OffsetFacing::viewer, 0.1);
+      EXPECT_GT(outwards, 0.51);
+      for (const Scene& scene : {from_behind, mirrored_from_behind}) {
+        EXPECT_EQ(lit(scene, OffsetFacing::viewer, 0.1), outwards);
+        // 1 − max(cos θ, 0) is 1 for a normal that is turned away from the light.
+        const double factor =
+            profile == OffsetProfile::one_minus_cosine ? 1.0 / scale_of(OffsetProfile::one_minus_cosine, theta) : 1.0;
+        EXPECT_NEAR(lit(scene, OffsetFacing::front, 0.1), lit(plane(), OffsetFacing::viewer, -0.1 * factor), 1e-4);
+      }
+      for (const Scene& scene : {plane(), mirrored}) EXPECT_EQ(lit(scene, OffsetFacing::front, 0.1), outwards);
+    }
+  }
+}
+
 TEST_F(NormalOffsetGl, A_caster_moves_inwards_as_far_as_a_receiver_would_move_outwards) {
   // Faces without normals, the same with normals, and mirrored.
   Scene smooth;

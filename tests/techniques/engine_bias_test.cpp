@@ -17,12 +17,12 @@ MapPlace plain() { return {"map", LightKind::directional, 1.25, 3000.0, 2048}; }
 MapPlace lamp(LightKind kind) { return {"nearest receiver", kind, 0.01, 40.0, 1024, 4.0}; }
 
 BiasTerms terms(const std::string& text, const MapPlace& place) {
-  const BiasSpec spec = parse_bias_source(text);
+  const BiasSpec spec = at_light(parse_bias_source(text), place);
   return terms_of(spec, places_for(spec, {place}).front());
 }
 
 BiasConversion converted(const std::string& from, const std::string& to, const MapPlace& place) {
-  const BiasSpec target = parse_bias_targets(to).front();
+  const BiasSpec target = at_light(parse_bias_targets(to).front(), place);
   return convert(terms(from, place), target, places_for(target, {place}).front());
 }
 
@@ -118,6 +118,10 @@ TEST(EngineBias, Spot_and_point_lights_have_the_depth_of_a_perspective) {
   // Half of its map at the light's range of 10 m, in texels: tan · 10 m / resolution, with t = 2 tan · 4 m /
   // resolution.
   EXPECT_NEAR(terms("unity-urp:shadowNormalBias=0", lamp(LightKind::spot)).constant, 0.01 * 10 / 8, 1e-12);
+  MapPlace far = lamp(LightKind::spot);
+  far.light_range = 16.0;  // the file's, which a given one replaces
+  EXPECT_NEAR(terms("unity-urp:shadowNormalBias=0", far).constant, 0.01 * 16 / 8, 1e-12);
+  EXPECT_NEAR(terms("unity-urp:shadowNormalBias=0,lightRange=6", far).constant, 0.01 * 6 / 8, 1e-12);
   EXPECT_NEAR(terms("unity-urp:bias=2,soft=low,lightRange=6", lamp(LightKind::spot)).normal, 1.5 * 0.01 * 6 / 8, 1e-12);
   EXPECT_NEAR(terms("unity-hdrp:slopeBias=0.5", lamp(LightKind::point)).slope, 2.5, 1e-12);
   EXPECT_NEAR(terms("playcanvas:0.05", lamp(LightKind::spot)).slope, 0.5, 1e-12);

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "techniques/shadow/map_depth.h"
+#include "techniques/shadow/reference/lookup.h"
+
 namespace umbrameter {
 namespace {
 
@@ -110,6 +113,37 @@ TEST(SpotMap, A_half_space_cone_is_kept_to_a_finite_map) {
   const MapLayout layout =
       fit_light(make_light(straight_down({0, 10, 0}), SpotLight{0.0, 0.0, pi / 2}), box({-1, 0, -1}, {1, 1, 1}), 64);
   EXPECT_NEAR(layout.views.front().half_extent, 572.957, 1e-3);  // tan 89.9°
+}
+
+// N. Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 3.1: a sum of four products whose entries
+// are rounded, too, is off by at most 5 u times the sum of their magnitudes; the quotient is rounded once more.
+TEST(SpotMap, A_receiver_in_single_precision_is_off_by_its_roundings_times_the_square_of_its_depth) {
+  dmat4 pose = glm::translate(dmat4(1.0), dvec3(3, 10, 1));
+  pose = glm::rotate(glm::rotate(pose, 0.7, dvec3(0, 1, 0)), -1.2, dvec3(1, 0, 0));
+  MapLayout layout = fit_light(make_light(pose, SpotLight{0.0, 0.1, pi / 4}), box({-3, 0, -9}, {3, 1, 3}), 1000);
+  MapDepthParams params;
+  params.encoding = DepthEncoding::perspective;
+  params.near_depth = 0.016;
+  EXPECT_FALSE(with_depth_encoding(layout, params).rounds_receivers);
+  params.receiver_precision = ReceiverPrecision::single;
+  layout = with_depth_encoding(layout, params);
+  ASSERT_TRUE(layout.rounds_receivers);
+  const ClipRows rows = clip_rows(layout);
+  const double u = std::ldexp(1.0, -24);
+  double largest = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const vec3 p(-3.0f + 0.0061f * static_cast<float>(i), 0.3f, -3.0f + 0.0057f * static_cast<float>(i));
+    const double exact = depth_of(layout, dvec3(p));
+    const double error = project_to_map(layout, dvec3(p)).depth - exact;
+    const auto size = [&](const vec4& row) { return glm::dot(dvec4(glm::abs(row)), glm::abs(dvec4(p, 1.0))); };
+    const double of_number = 5.0 * u * (size(rows.z) + size(rows.w)) / exact + u;
+    const double bound = of_number * metres_per_map_depth(layout, exact);
+    EXPECT_LE(std::abs(error), bound);
+    largest = std::max(largest, std::abs(error) / bound);
+  }
+  EXPECT_GT(largest, 0.1);
+  params.encoding = DepthEncoding::linear;
+  EXPECT_FALSE(with_depth_encoding(layout, params).rounds_receivers);
 }
 
 TEST(CubeMap, Depth_is_radial_and_texels_are_those_of_the_face) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/reference/ordered.h"
 
 namespace umbrameter {
@@ -65,6 +66,9 @@ Receiver project_to_map(const MapLayout& layout, const dvec3& world, double dith
       r.view = layout.uses_neighbour ? neighbour_face_of(layout.kind, p) : face_of(layout.kind, p);
       q = on_face(layout.kind, r.view, p);
       r.depth = length_of(p);
+    } else if (layout.rounds_receivers) {
+      const ClipRows rows = clip_rows(layout);
+      r.depth = shared::depth_in_floats(vec3(world), rows.z, rows.w, layout.encoded_near, layout.far_depth);
     }
     r.axis_depth = q.z;
     r.is_inside = r.axis_depth > 0.0;
