@@ -121,7 +121,8 @@ bool has_cell(const Table& table, const Test& test) {
   });
 }
 
-bool is_interval(const std::string& text) { return text.find("±") != std::string::npos; }
+bool is_range(const std::string& text) { return text.find(" to ") != std::string::npos; }
+bool is_interval(const std::string& text) { return text.find("±") != std::string::npos || is_range(text); }
 bool is_difference(const std::string& text) { return text != "0" && text != "—"; }
 
 bool has_differences(const PartTables& part) { return has_cell(part.printed_differences, is_difference); }
@@ -140,7 +141,7 @@ std::vector<std::string> planned_files(const CommandLine& line, std::vector<std:
 // What the signs in a table's cells mean.
 std::string note_of(const Table& table, const std::string& of_star) {
   std::string note;
-  if (has_cell(table, is_interval)) note = interval_note;
+  if (has_cell(table, is_interval)) note = has_cell(table, is_range) ? range_note : interval_note;
   if (has_cell(table, [](const std::string& text) { return text.ends_with('*'); })) {
     note += (note.empty() ? "" : "; ") + of_star;
   }

@@ -142,6 +142,7 @@ SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom) {
   const auto around = [half_width](double value) { return Estimate{value, value - half_width, value + half_width}; };
   statistics.mean_raster = total.raster * scale;
   statistics.mean_truth = around(total.truth * scale);
+  statistics.mean_truth.lower = std::max(statistics.mean_truth.lower, 0.0);
   statistics.mean_error = around(total.error * scale);
   statistics.mae = around(total.absolute * scale);
   statistics.mae.lower = std::max(statistics.mae.lower - total.absolute_bias * scale, 0.0);

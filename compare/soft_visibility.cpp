@@ -99,7 +99,7 @@ void add_penumbra(SoftVisibilityStatistics& statistics, const Image<float>& rast
     for (const NoiseSums& row : noise_rows) noise.add(row);
     const double half_width =
         scale * std::max(half_width_of_sum(noise.variance, noise.squares, truth.degrees_of_freedom), least);
-    return Estimate{value, value - half_width, value + half_width};
+    return Estimate{value, std::max(value - half_width, 0.0), value + half_width};
   };
   const double scale = 1.0 / static_cast<double>(statistics.error.pixels);
   statistics.penumbra =

@@ -146,8 +146,8 @@ Statistics describe(VisibilityStatistics& s) {
       .share("leak", s.leak, meaning(Cause::light_leak), {"Light leak", "light leak [% of counted pixels]"})
       .field("mean_error", s.mean_error, "1", "mean of technique − reference")
       .field("max_error", s.max_error, "1", "largest absolute error")
-      .share("false_blocked", s.false_blocked, "reference lit, technique blocked")
-      .share("false_lit", s.false_lit, "reference blocked, technique lit")
+      .share("false_blocked", s.false_blocked, "too dark: reference lit, technique blocked")
+      .share("false_lit", s.false_lit, "too bright: reference blocked, technique lit")
       .field("mean_texel", s.mean_texel, "m", mean_texel_meaning)
       .take();
 }

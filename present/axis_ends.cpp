@@ -41,11 +41,11 @@ std::optional<double> error_at(const SweepResults& sweep, std::size_t cell) {
 
 }  // namespace
 
-AxisEnd end_of(std::span<const double> values, double value, const FieldDescription& limits) {
-  if (values.size() < 2) return AxisEnd::none;
+AxisEnd end_of(std::span<const double> values, double value, const Parameter& parameter) {
+  if (values.size() < 2 || (value == 0.0 && parameter.key != constant_bias_key)) return AxisEnd::none;
   const auto [least, largest] = std::ranges::minmax_element(values);
-  if (value == *least && value != 0.0 && value > limits.min) return AxisEnd::lower;
-  if (value == *largest && value != 0.0 && value < limits.max) return AxisEnd::upper;
+  if (value == *least && value > parameter.description.min) return AxisEnd::lower;
+  if (value == *largest && value < parameter.description.max) return AxisEnd::upper;
   return AxisEnd::none;
 }
 
@@ -64,12 +64,7 @@ std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best
       const bool is_listed = std::ranges::find(listed_axes, a) != listed_axes.end();
       if (is_listed || !parameter.is_number()) continue;
       const std::vector<double> numbers = numbers_of(axis);
-      AxisEnd end = end_of(numbers, to_number(row[a]), parameter.description);
-      // A constant bias may be negative: where another bias is too large, it has to be.
-      if (axis.key == constant_bias_key && to_number(row[a]) == 0.0 && numbers.size() > 1) {
-        const auto [least, largest] = std::ranges::minmax_element(numbers);
-        end = *least == 0.0 ? AxisEnd::lower : *largest == 0.0 ? AxisEnd::upper : AxisEnd::none;
-      }
+      const AxisEnd end = end_of(numbers, to_number(row[a]), parameter);
       if (end == AxisEnd::none) continue;
       const std::size_t index = index_in(axis, row[a]);
       const std::size_t next = cell - index * plan.strides[a] + neighbour_of_end(numbers, index) * plan.strides[a];

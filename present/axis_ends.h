@@ -12,9 +12,10 @@ namespace umbrameter {
 
 enum class AxisEnd { none, lower, upper };
 
-/// The end of an axis at which a value lies, where the axis could go on: nothing lies beyond 0 or beyond a limit of the
-/// parameter. The values are in any order; one alone has no ends.
-AxisEnd end_of(std::span<const double> values, double value, const FieldDescription& limits);
+/// The end of an axis at which a value lies, where the axis could go on: nothing lies beyond a limit of the parameter,
+/// nor beyond 0, but for a constant bias: where another bias is too large, it has to be negative. The values are in any
+/// order; one alone has no ends.
+AxisEnd end_of(std::span<const double> values, double value, const Parameter& parameter);
 
 /// One axis whose end holds the least error while the neighbouring value has more.
 struct OpenEnd {

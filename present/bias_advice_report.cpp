@@ -89,13 +89,13 @@ ReportTable advice_table(const BiasAdvice& advice) {
   const bool is_kept = !advice.withheld && keeps_bias(advice);
   add_row(is_kept ? "in this run: keep it" : "in this run", advice.used);
   if (!advice.withheld && !is_kept) add_row("recommended", advice.plateau.recommended);
-  add_row("least error", advice.plateau.least);
+  add_row(formula_names[0], advice.plateau.least);
   add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest bias within 5 % of the least error",
           advice.plateau.first);
   add_row(advice.plateau.open_above ? "largest bias tested" : "largest bias within 5 % of the least error",
           advice.plateau.last);
-  if (advice.line.little_acne) add_row("smallest bias with acne of at most 0.1 %", *advice.line.little_acne);
-  if (advice.line.acne_free) add_row("smallest bias without acne", *advice.line.acne_free);
+  if (advice.line.little_acne) add_row(formula_names[1], *advice.line.little_acne);
+  if (advice.line.acne_free) add_row(formula_names[2], *advice.line.acne_free);
   return {"Recommended bias", std::move(table), {"in texels", "in depth"}};
 }
 

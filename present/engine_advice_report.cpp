@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "present/bias_conversion.h"
 #include "present/presentation_parts.h"
@@ -86,30 +87,35 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
   return {"In the numbers of engines: " + what, std::move(table)};
 }
 
-std::string engine_notes(const std::vector<EngineAdvice>& engines) {
-  std::string text;
+void add_notes(std::vector<std::string>& notes, const std::vector<EngineAdvice>& engines) {
   for (const EngineAdvice& each : engines) {
     if (!each.why_not_measured.empty()) {
-      text +=
-          fmt::format("{}{}: {}.", text.empty() ? "" : "\n\n", each.target.spec.engine->name, each.why_not_measured);
+      notes.push_back(fmt::format("{}: {}", each.target.spec.engine->name, each.why_not_measured));
     }
-    for (const std::string& note : notes_with_offset(each)) text += (text.empty() ? "" : "\n\n") + note + ".";
+    for (std::string& note : notes_with_offset(each)) notes.push_back(std::move(note));
   }
-  return text;
 }
 
 }  // namespace
 
 void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& engines, const std::string& what) {
   if (engines.empty()) return;
-  for (std::string& line : engine_lines(engines, what)) {
-    // The notes of an engine are the same for each light.
-    const bool is_said =
-        line.starts_with(note_mark) && std::ranges::find(presentation.lines, line) != presentation.lines.end();
-    if (!is_said) presentation.lines.push_back(std::move(line));
-  }
+  for (std::string& line : engine_lines(engines, what)) presentation.lines.push_back(std::move(line));
   presentation.section.tables.push_back(engine_table(engines, what));
-  if (const std::string notes = engine_notes(engines); !notes.empty()) presentation.section.text += "\n\n" + notes;
+  add_notes(presentation.engine_notes, engines);
+}
+
+void place_engine_notes(std::vector<Presentation>& parts) {
+  std::set<std::string> said_in_lines, said_in_texts;
+  for (Presentation& part : parts) {
+    std::erase_if(part.lines, [&](const std::string& line) {
+      return line.starts_with(note_mark) && !said_in_lines.insert(line).second;
+    });
+    for (const std::string& note : part.engine_notes) {
+      if (said_in_texts.insert(note).second) part.section.text += "\n\n" + note + ".";
+    }
+    part.engine_notes.clear();
+  }
 }
 
 nlohmann::ordered_json to_json(const std::vector<EngineAdvice>& engines) {

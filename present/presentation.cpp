@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
@@ -55,10 +56,24 @@ std::size_t width_of(const std::vector<Column>& columns, std::size_t c) {
   return c + 1 < columns.size() && columns[c + 1].name == lower_name(columns[c].name) ? 3 : 1;
 }
 
+// Decimals of the technique's mean in per cent, which is exact: those of its difference to the reference's mean.
+// Nothing for other columns and where that difference has no interval.
+std::optional<int> decimals_of_mean(const std::vector<Column>& columns, const std::vector<Value>& row, std::size_t c) {
+  if (columns[c].name != "mean_raster") return std::nullopt;
+  const auto difference = std::ranges::find(columns, "mean_error", &Column::name);
+  const auto at = static_cast<std::size_t>(difference - columns.begin());
+  if (difference == columns.end() || width_of(columns, at) == 1) return std::nullopt;
+  const double half_width = 50.0 * (to_number(row[at + 2]) - to_number(row[at + 1]));
+  return half_width > 0.0 ? std::optional(decimals_of(half_width, 2)) : std::nullopt;
+}
+
 // A count, or a text with as many digits as mean something; with its interval if the statistic has one.
 Value measured_value(const std::vector<Column>& columns, const std::vector<Value>& row, std::size_t c) {
   if (!std::holds_alternative<double>(row[c])) return row[c];
   const double factor = columns[c].unit == "1" ? 100.0 : 1.0;
+  if (const std::optional<int> decimals = decimals_of_mean(columns, row, c)) {
+    return fmt::format("{:.{}f}", factor * to_number(row[c]), *decimals);
+  }
   if (width_of(columns, c) == 1) return digits_text(factor * to_number(row[c]));
   return estimate_text({factor * to_number(row[c]), factor * to_number(row[c + 1]), factor * to_number(row[c + 2])},
                        "");

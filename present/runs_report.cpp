@@ -24,8 +24,10 @@ constexpr const char* rays_only_mark = "*";
 
 std::string compared_text(const ComparedValue& value) {
   const double scale = scale_of(value.measured.unit);
-  return with_half_width(scale * value.measured.value, scale * value.half_width) +
-         (value.interval == IntervalOf::rays ? rays_only_mark : "");
+  const auto [number, lower, upper] = estimate_of(value);
+  const std::string text = value.half_width > 0.0 ? estimate_text({scale * number, scale * lower, scale * upper}, "")
+                                                  : with_half_width(scale * number, 0.0);
+  return text + (value.interval == IntervalOf::rays ? rays_only_mark : "");
 }
 
 std::string difference_text(const ComparedValue& value) {

@@ -27,6 +27,7 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs, const st
 
 /// What the asterisk in a printed difference means.
 inline constexpr const char* interval_note = "± 95 % interval";
+inline constexpr const char* range_note = "± or a range: 95 % interval";
 inline constexpr const char* rays_only_note = "* the interval covers the noise of the reference only";
 inline constexpr const char* significance_note = "* significant: its 95 % interval excludes 0";
 

@@ -211,6 +211,17 @@ std::string row_text(const std::vector<SweepAxis>& axes, const std::vector<Value
   return text;
 }
 
+// The error of a row with the interval that a sampled reference gives it.
+std::string error_text(const Table& table, const std::vector<Value>& row) {
+  const double error = to_number(row[column_index(table, error_statistic)]);
+  const auto end = [&](const std::string& name) {
+    const auto found = std::ranges::find(table.columns, name, &Column::name);
+    return found == table.columns.end() ? error
+                                        : to_number(row[static_cast<std::size_t>(found - table.columns.begin())]);
+  };
+  return percent(Estimate{error, end(lower_name(error_statistic)), end(upper_name(error_statistic))});
+}
+
 // Whether the cells differ in their filter, and are measured against a hard shadow.
 bool compares_filters(const SweepResults& sweep) {
   const bool is_hard = sweep.quantity() == SweptQuantity::visibility &&
@@ -270,7 +281,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   section.tables_first = true;
   const std::vector<Value> least = least_row(sweep);
   const std::size_t mae = column_index(best, error_statistic);
-  const std::string error = percent(to_number(least[mae]));
+  const std::string error = error_text(best, least);
   if (!std::isfinite(to_number(least[mae]))) {
     presentation.answers.emplace_back("nothing to measure: no cell of the sweep has counted pixels");
     section.text = "Nothing to measure: no cell of the sweep has counted pixels.";
@@ -279,7 +290,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   const bool is_ao = sweep.quantity() == SweptQuantity::ao;
   const bool is_flat = sweep.plan.cells > 1 && are_all_equal(sweep);
   if (is_flat) presentation.answers.push_back(equal_cells_text(sweep, error));
-  const char* headline = open_ends.empty() ? "least mean absolute error" : "lowest mean absolute error tested";
+  const char* headline = open_ends.empty() ? "least mean absolute error" : "least mean absolute error tested";
   section.headlines = {{headline, error, row_text(sweep.plan.axes, least)},
                        {"cells", std::to_string(sweep.plan.cells), "one row each in sweep.csv"}};
   const std::vector<std::string> warnings = to_lines(open_ends);
@@ -326,7 +337,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     if (presentation.lines.size() > 8) break;
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
     presentation.lines.push_back(
-        fmt::format("  least error {} at {}", percent(to_number(row[mae])), row_text(sweep.plan.axes, row)));
+        fmt::format("  least error {} at {}", error_text(best, row), row_text(sweep.plan.axes, row)));
   }
   return presentation;
 }

@@ -80,11 +80,28 @@ Table case_table(const TuneSummary& summary) {
   return table;
 }
 
+// Which ends of the axis a range reaches, where the axis could go on: "upper end of the axis".
+std::string ends_text(const TuneAxis& axis, const std::pair<Value, Value>& range) {
+  Experiment experiment;
+  const Parameters parameters = describe(experiment);
+  const std::vector<double> values = mapped(axis.axis.values, [](const Value& each) { return to_number(each); });
+  std::vector<std::string> ends;
+  for (const Value& value : {range.first, range.second}) {
+    const AxisEnd end = end_of(values, to_number(value), require(parameters, axis.key()));
+    if (end != AxisEnd::none) ends.emplace_back(end == AxisEnd::lower ? "lower" : "upper");
+  }
+  if (ends.empty()) return {};
+  return ends.size() > 1 && ends[0] != ends[1] ? "both ends of the axis" : ends[0] + " end of the axis";
+}
+
 std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
   const TuneAxis& axis = summary.axes[scan.axis];
   const auto range = range_within(summary, scan);
-  if (range && range->first == range->second) return "only " + value_text(axis, range->first);
-  return range ? fmt::format("{} to {}", value_text(axis, range->first), value_text(axis, range->second)) : "—";
+  if (!range) return "—";
+  std::string ends = ends_text(axis, *range);
+  if (!ends.empty()) ends = " (" + ends + ")";
+  if (range->first == range->second) return "only " + value_text(axis, range->first) + ends;
+  return fmt::format("{} to {}{}", value_text(axis, range->first), value_text(axis, range->second), ends);
 }
 
 // The largest cost along the axis, in multiples of the least.
@@ -156,9 +173,11 @@ std::string bias_range_text(const TuneSummary& summary) {
   const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
   std::string text = "constant-bias: " + range_text(plateau, axis->axis.length_unit, "cost",
                                                     cost_text(summary.goal, plateau.least.mae), only_of_axis);
+  const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
+  if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
-  return text + fmt::format("; {} is the smallest of them with acne of at most 0.1 % in every case",
-                            value_text(*axis, plateau.recommended.constant));
+  return text +
+         fmt::format("; acne at most 0.1 % in every case from {}", value_text(*axis, plateau.recommended.constant));
 }
 
 std::string method_text(const TuneSummary& summary) {
@@ -298,7 +317,7 @@ std::vector<std::string> end_warnings(const TuneSummary& summary) {
     if (!matters) continue;
     const std::vector<double> ends = mapped(axis.axis.values, [](const Value& each) { return to_number(each); });
     const double end = to_number(position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());
-    const AxisEnd at = end_of(ends, end, require(parameters, axis.key()).description);
+    const AxisEnd at = end_of(ends, end, require(parameters, axis.key()));
     if (at == AxisEnd::none) continue;
     const std::string best = value_text(axis, value);
     const std::string last = value_text(axis, position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());

@@ -75,6 +75,14 @@ const std::vector<KnownStatistic>& known_statistics() {
   return all;
 }
 
+bool can_be_negative(std::string_view statistic) {
+  constexpr std::array<std::string_view, 5> signed_ones = {"mean_error", "shadows", "ao", "gbuffer", "shading"};
+  return std::ranges::find(signed_ones, statistic) != signed_ones.end() ||
+         std::ranges::any_of(known_statistics(), [&](const KnownStatistic& each) {
+           return each.name == statistic && each.is_higher_better;
+         });
+}
+
 StatisticName parse_statistic_name(std::string_view text) {
   for (const std::string_view kind : kinds) {
     if (text.size() > kind.size() && text.starts_with(kind) && text[kind.size()] == '.') {

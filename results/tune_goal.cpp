@@ -159,6 +159,12 @@ double cost_of(const TuneGoal& goal, const CaseValues& values) {
   return cost;
 }
 
+bool has_negative_costs(const TuneGoal& goal) {
+  return std::ranges::any_of(goal.terms, [&](const TuneTerm& term) {
+    return term.weight < 0.0 || (!term.is_magnitude && can_be_negative(goal.columns[term.column].name));
+  });
+}
+
 double total_cost(const TuneGoal& goal, const std::vector<CaseValues>& cases) {
   double sum = 0.0;
   double largest = -std::numeric_limits<double>::infinity();

@@ -76,6 +76,8 @@ TuneScore score_from(double number);
 std::vector<std::size_t> objectives_of(const TuneGoal& goal);
 
 double cost_of(const TuneGoal& goal, const CaseValues& values);
+/// Whether a cost below 0 is possible.
+bool has_negative_costs(const TuneGoal& goal);
 /// The mean of the cases' costs, or the largest; of a relative goal, in multiples of the default's.
 double total_cost(const TuneGoal& goal, const std::vector<CaseValues>& cases);
 TuneScore score_of(const TuneGoal& goal, const std::vector<Value>& point, const std::vector<CaseValues>& cases);

@@ -88,6 +88,12 @@ std::string with_unit(const Parameters& parameters, const std::string& key, cons
 
 }  // namespace
 
+Estimate estimate_of(const ComparedValue& value) {
+  const double number = value.measured.value;
+  const double lower = number - value.half_width;
+  return {number, can_be_negative(value.measured.name) ? lower : std::max(lower, 0.0), number + value.half_width};
+}
+
 std::vector<ComparedStatistic> compare_runs(const std::vector<StoredRun>& runs) {
   std::vector<ComparedStatistic> all;
   for (const MeasuredStatistic& base : runs.front().statistics) {

@@ -32,6 +32,9 @@ struct ComparedValue {
   Verdict verdict = Verdict::base;
 };
 
+/// The value with its 95 % interval, which ends at 0 where the statistic cannot be negative.
+Estimate estimate_of(const ComparedValue& value);
+
 /// A statistic that the first run and others report.
 struct ComparedStatistic {
   std::string kind;   ///< "shadow", "ao" or "image"

@@ -1,5 +1,6 @@
 #include "experiments/tune/tune_significance.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/interrupt.h"
@@ -49,8 +50,11 @@ LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoa
 
 std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<CaseValues>& cases,
                                       const LeftOutBlocks& blocks) {
-  return jackknife(total_cost(goal, cases), blocks,
-                   [&](std::size_t c, std::size_t b) { return cost(goal, cases, c, blocks[c].without[b]); });
+  std::optional<Estimate> interval = jackknife(total_cost(goal, cases), blocks, [&](std::size_t c, std::size_t b) {
+    return cost(goal, cases, c, blocks[c].without[b]);
+  });
+  if (interval && !has_negative_costs(goal)) interval->lower = std::max(interval->lower, 0.0);
+  return interval;
 }
 
 std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<CaseValues>& a,

@@ -143,7 +143,7 @@ Json x_axis(const HeatMapFigure& figure, const Cells& cells, const PanelLayout& 
         !ticks.empty()) {
       axis.erase("tickCount");  // it would leave out every second one
       axis["values"] = ticks;
-      axis["labelExpr"] = tick_label;
+      axis["labelExpr"] = log_tick_label(ticks);
     }
   } else {
     scale["zero"] = false;

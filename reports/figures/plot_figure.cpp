@@ -149,7 +149,7 @@ void set_log_scale(Json& axis, bool is_x, const Json& rows) {
   if (ticks.empty()) return;
   axis["axis"].erase("tickCount");  // it would leave out every second one
   axis["axis"]["values"] = ticks;
-  axis["axis"]["labelExpr"] = tick_label;
+  axis["axis"]["labelExpr"] = log_tick_label(ticks);
 }
 
 Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Json& rows, const FigureStyle& style) {

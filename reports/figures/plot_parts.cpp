@@ -74,6 +74,12 @@ std::vector<double> log_ticks(double lowest, double highest) {
   return ticks;
 }
 
+const char* log_tick_label(const std::vector<double>& ticks) {
+  const auto is_long = [](double tick) { return tick < 0.999e-3 || tick > 0.999e6; };
+  return std::ranges::any_of(ticks, is_long) ? "replace(format(datum.value, '~e'), '+', '')"
+                                             : "format(datum.value, '~g')";
+}
+
 double log_floor(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
   const double digit = value / power * (1.0 + 1e-9);

@@ -49,8 +49,9 @@ std::vector<double> log_ticks(double lowest, double highest);
 double log_floor(double value);
 double log_ceil(double value);
 
-/// For labels of numeric ticks: as many digits as they need.
-inline constexpr const char* tick_label = "format(datum.value, '~g')";
+/// How the ticks of a logarithmic axis are labelled: with as many digits as they need, or all with a power of ten,
+/// "1e-5", where some would have more than three decimals or six digits before them.
+const char* log_tick_label(const std::vector<double>& ticks);
 
 /// Tells the drawer how wide a drawing for print is, so that it can fit the plot; `columns` and `rows` of panels.
 void add_print_size(Json& specification, const FigureStyle& style, int columns = 1, int rows = 1);

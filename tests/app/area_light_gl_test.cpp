@@ -104,6 +104,24 @@ TEST_F(AreaLightRun, A_sweep_over_the_extent_starts_at_the_hard_shadow) {
   }
 }
 
+TEST_F(AreaLightRun, The_least_error_of_a_sweep_has_the_interval_that_compare_gives_it) {
+  const auto run = [&](const std::vector<std::string>& command) {
+    const ProgramResult result =
+        run_program(words(words(command, {"-o", folder_ / command.front(), "--light", "sun", "--light.angle", "8",
+                                          "--measure", "visibility", "--no-figures"}),
+                          small));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out;
+  };
+  const std::string sweep = run({"sweep", "contact-box", "--vary", "shadow.constant-bias=0.05,5"});
+  const std::string compared = run({"compare", "contact-box", "--shadow.constant-bias", "0.05"});
+  const std::size_t from = compared.find("error ");
+  const std::string error = compared.substr(from, compared.find(" against", from) - from);
+  ASSERT_NE(error.find(" to "), std::string::npos) << compared;
+  EXPECT_EQ(sweep.find("least " + error + " at "), 0u) << sweep << compared;
+  EXPECT_NE(text_of(folder_ / "sweep/index.html").find(error.substr(6)), std::string::npos);
+}
+
 TEST_F(AreaLightRun, The_extent_of_a_file_and_the_same_by_flag_give_the_same_answer) {
   const std::string members = R"("extensions":{"KHR_lights_punctual":{"light":0}},"translation":[0.5,0.5,2])";
   const auto file = [&](const std::string& name, const std::string& extras) {

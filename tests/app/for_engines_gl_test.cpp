@@ -125,6 +125,22 @@ TEST_F(ForEngines, A_bias_that_an_engine_cannot_say_has_no_numbers) {
   EXPECT_EQ(result.out.find("hdLight"), std::string::npos) << "zeros would look like a recommendation";
 }
 
+TEST_F(ForEngines, A_note_that_holds_for_several_lights_is_said_once) {
+  const ProgramResult result = run_program({"compare", "courtyard", "-o", folder_ / "out", "--size", "160x90",
+                                            "--measure", "visibility", "--no-figures", "--for", "unreal"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto count = [](const std::string& text, const std::string& part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count(result.out, " in Unreal Engine, "), 3) << "one line for each light: " << result.out;
+  EXPECT_EQ(count(result.out, "note: unreal, not verified: "), 1) << result.out;
+  EXPECT_EQ(count(result.out, "no formula is known here for a point light"), 1) << result.out;
+  EXPECT_EQ(count(result.out, "no formula is known here for a spot light"), 1) << result.out;
+  EXPECT_EQ(count(text_of(folder_ / "out/index.html"), "<p>unreal, not verified: "), 1);
+}
+
 TEST_F(ForEngines, A_slope_bias_that_no_engine_has_is_left_out_of_its_error) {
   const std::vector<std::string> none = {"--shadow.constant-bias", "0", "--for", "three"};
   const Json with_slope = compare(words({"--shadow.slope-bias", "1.5"}, none));

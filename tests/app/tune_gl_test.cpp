@@ -73,8 +73,18 @@ TEST_F(Tune, Says_in_words_what_was_minimised_and_how_much_better_the_best_point
   EXPECT_NE(result.out.find(" cm: mean absolute error "), std::string::npos) << result.out;
   const std::string default_line = result.out.substr(result.out.find("default: "));
   EXPECT_NE(default_line.substr(0, default_line.find('\n')).find("; the best point "), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("is the smallest of them with acne of at most 0.1 % in every case"), std::string::npos)
-      << result.out;
+  EXPECT_NE(result.out.find("; acne at most 0.1 % in every case from "), std::string::npos) << result.out;
+}
+
+TEST_F(Tune, Says_that_a_range_and_the_best_value_reach_the_end_of_the_axis) {
+  const ProgramResult result =
+      run_program(arguments("end", {"--light", "sun", "--vary", "shadow.constant-bias=0:0.002"}));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("the best value 2 mm is the upper end of the axis"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("within 5 % of the least cost"), std::string::npos) << result.out;
+  // In the answer and in the table.
+  EXPECT_NE(result.out.find("; the range reaches the upper end of the axis"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("2 mm (upper end of the axis)"), std::string::npos) << result.out;
 }
 
 TEST_F(Tune, Over_several_lights_and_parameters_beats_the_default_and_repeats_to_the_bit) {

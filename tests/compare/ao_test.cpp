@@ -102,6 +102,11 @@ TEST(Ao, Rays_that_all_agree_still_leave_an_interval) {
   const SampledError s =
       analyze_ao(open, {open, Image<float>(10, 10, 0.0f), Image<float>(10, 10, 64.0f), 7}, all_surface(10, 10)).error;
   EXPECT_NEAR(s.mean_truth.lower, 1.0 - 2.99573 / 6400.0, 1e-8);
+  const Image<float> closed(10, 10, 0.0f);
+  const SampledError dark =
+      analyze_ao(closed, {closed, closed, Image<float>(10, 10, 64.0f), 7}, all_surface(10, 10)).error;
+  EXPECT_EQ(dark.mean_truth.lower, 0.0) << "no accessibility is negative";
+  EXPECT_NEAR(dark.mean_truth.upper, 2.99573 / 6400.0, 1e-8);
 }
 
 TEST(Ao, Rows_stand_under_their_column) {

@@ -181,6 +181,8 @@ TEST(CostDifference, Of_points_that_differ_alike_in_every_block_is_significant) 
   // Of one alone, with Student's t for 3 degrees of freedom: 3.182446 √(3/4 · (0.4² + 0.4²)) = 1.559074
   const std::optional<Estimate> alone = cost_interval(mae, {{0.5}}, a);
   EXPECT_NEAR(alone->upper - alone->value, 1.559074, 1e-5);
+  EXPECT_EQ(alone->lower, 0.0) << "no absolute error is negative";
+  EXPECT_NEAR(cost_interval(goal("mean_error"), {{0.5}}, a)->lower, 0.5 - 1.559074, 1e-5);
   EXPECT_FALSE(cost_interval(mae, {{0.5}}, {{}}).has_value());
 }
 

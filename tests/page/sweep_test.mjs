@@ -45,8 +45,10 @@ test('a selected cell shows its images and numbers, which are those of the comma
     painted_at.add(colors.join(' '));
     const mae = Number(rows[number + 1][rows[0].indexOf('mae')]);
     assert.ok(Math.abs(statistics.mae - mae) < 1e-12 + 1e-9 * mae);
-    const shown = parseFloat(await row_of(page.locator('aside.cell'), 'mean absolute error').innerText());
-    assert.ok(Math.abs(shown - 100 * mae) < 1e-4 * shown);
+    const text = await row_of(page.locator('aside.cell'), 'mean absolute error').innerText();
+    const shown = parseFloat(text);
+    assert.ok(Math.abs(shown - 100 * mae) < 5e-3 * shown);
+    assert.ok(text.replace(/\D/g, '').replace(/^0+/, '').length <= 3, `${text} has more digits than the table`);
   }
   assert.equal(painted_at.size, 2);
   // A cell without images says how to make them; its numbers are there.
@@ -130,7 +132,7 @@ test('charts show values, the same cell elsewhere and its statistics, and are sa
   assert.ok(Math.abs(100 * cell[column('mae')] / mae - 1) < 1e-3, tip);
   const panel = page.getByRole('complementary', {name: 'Selected cell'});
   const shown = parseFloat(await row_of(panel, 'acne').last().innerText());
-  assert.ok(Math.abs(100 * cell[column('acne')] - shown) < 1e-3 * shown, `${shown}, not ${cell[column('acne')]}`);
+  assert.ok(Math.abs(100 * cell[column('acne')] - shown) < 5e-3 * shown, `${shown}, not ${cell[column('acne')]}`);
   assert.ok(await page.locator('.rings circle.inner').count() >= 3, 'ringed in the other charts');
   await picture.press('Escape');
   assert.equal(await panel.isVisible(), false);

@@ -1,4 +1,5 @@
 // Tables and intervals of `report` on runs of one light that are made here.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "present/presentation.h"
@@ -65,6 +66,21 @@ TEST(RunsReportIntervals, Causes_of_a_filter_without_their_layers_have_values_an
   EXPECT_FALSE(estimate_over_blocks(run, run.statistics[2]));
 }
 
+// One pixel in a thousand is wrong, all of them in one block: the half width is larger than the error itself.
+TEST(RunsReportIntervals, Of_an_absolute_error_ends_at_0_and_of_a_signed_one_does_not) {
+  Image<float> error(image_side, image_side, 0.0f);
+  for (int i = 0; i < 4; ++i) error[static_cast<std::size_t>(i)] = -1.0f;
+  const StoredRun run = stored_shadow({{"mae", 4.0 / 4096.0}, {"mean_error", -4.0 / 4096.0}},
+                                      {{"error_visibility", error}, {"class", Image<float>(image_side, image_side)}});
+  const std::vector<StoredRun> runs = {run};
+  const std::vector<ComparedStatistic> compared = compare_runs(runs);
+  const double mae_half_width = compared.at(0).values.at(0).half_width;
+  ASSERT_GT(mae_half_width, 4.0 / 4096.0);
+  const PartTables part = part_tables(runs, compared).at(0);
+  EXPECT_EQ(to_string(part.all.rows.at(0)[3]), fmt::format("0.00 to {:.2f}", 100.0 * (4.0 / 4096.0 + mae_half_width)));
+  EXPECT_EQ(to_string(part.all.rows.at(1)[3]), fmt::format("−0.1 ± {:.1f}", 100.0 * mae_half_width));
+}
+
 TEST(StatisticsTables, Have_words_per_cent_and_the_interval_in_the_cell) {
   const Table rows{{{"ao.radius", "m", ""},
                     {"mae", "1", ""},
@@ -80,6 +96,17 @@ TEST(StatisticsTables, Have_words_per_cent_and_the_interval_in_the_cell) {
                                              "pixels that see a surface px"}));
   EXPECT_EQ(shown.rows[0],
             (std::vector<Value>{1.25, std::string("11.54 ± 0.20"), std::string("−1.23"), std::int64_t{49785}}));
+}
+
+TEST(StatisticsTables, Give_the_mean_of_the_technique_the_decimals_of_its_difference_to_the_reference) {
+  const Table rows{{{"mean_error", "1", ""},
+                    {"mean_error_lo", "1", ""},
+                    {"mean_error_hi", "1", ""},
+                    {"mean_raster", "1", ""},
+                    {"max_error", "1", ""}},
+                   {{-0.00937, -0.009464, -0.009276, 0.9537961, 0.79412}}};
+  EXPECT_EQ(in_percent(rows, 0, "ao").rows[0],
+            (std::vector<Value>{std::string("−0.9370 ± 0.0094"), std::string("95.3796"), std::string("79.4")}));
 }
 
 }  // namespace

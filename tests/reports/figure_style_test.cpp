@@ -175,6 +175,10 @@ TEST(FigureStyle, Ticks_of_a_logarithmic_axis_are_1_2_and_5) {
   EXPECT_NEAR(log_floor(0.0199), 0.01, 1e-15);
   EXPECT_NEAR(log_ceil(0.0201), 0.05, 1e-15);
   EXPECT_EQ(log_ceil(51.0), 100.0);
+  EXPECT_STREQ(log_tick_label({0.001, 1.0, 100.0}), "format(datum.value, '~g')");
+  for (const std::vector<double>& ticks : {std::vector<double>{1e-5, 0.1, 100.0}, {1.0, 1e6}}) {
+    EXPECT_STREQ(log_tick_label(ticks), "replace(format(datum.value, '~e'), '+', '')") << "1e-5, 1e-1, 1e2";
+  }
   PlotFigure figure = lines(2);
   figure.y.logarithmic = true;
   const Json y = Json::parse(to_plot_specification(figure))["layer"][0]["encoding"]["y"];

@@ -36,7 +36,7 @@ export class CellPanel {
     const table = make('table', {}, make('caption', {}, `Cell ${cells.number_of(row)} of ${cells.packed.count}`),
                        make('tbody', {}, ...cells.columns.map(({head, meaning}, c) =>
       make('tr', c < cells.packed.axes ? {class: 'axis'} : {}, make('th', {scope: 'row', title: meaning}, head),
-           make('td', {class: 'number'}, `${cells.text(row, c)} ${cells.unit(c)}`.trim())))));
+           make('td', {class: 'number'}, `${cells.table_text(row, c)} ${cells.unit(c)}`.trim())))));
     this.fill(this.images(cells, row, images), ...this.bars(cells, row), table);
   }
 

@@ -87,9 +87,20 @@ export class Cells {
     const shown = Number(value.toPrecision(digits));
     return (digits < 5 ? in_digits(shown, digits) : String(shown)).replace('-', '−');
   }
-  // In the table measured numbers have as many digits as in the page's other tables.
+  // Measured numbers have as many digits as in the page's other tables: three, or two of the half width of their interval.
   table_text(row: number, column: number): string {
-    return this.text(row, column, column < this.packed.axes ? 5 : 3);
+    const value = this.shown(row, column);
+    const half = this.half_width(row, column);
+    if (typeof value !== 'number' || !(half > 0)) return this.text(row, column, column < this.packed.axes ? 5 : 3);
+    return value.toFixed(Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(half))))).replace('-', '−');
+  }
+  // Of the interval of a measured number, or of that whose end it is; of the technique's mean that of its difference to the
+  // reference's. 0 where there is none.
+  private half_width(row: number, column: number): number {
+    const {name} = this.columns[column];
+    const of = this.is_end(column) ? name.slice(0, -3) : name === 'mean_raster' ? 'mean_error' : name;
+    const [low, high] = [this.column(`${of}_lo`), this.column(`${of}_hi`)];
+    return low < 0 || high < 0 ? 0 : (as_number(this.shown(row, high)) - as_number(this.shown(row, low))) / 2;
   }
   // Whether the column has numbers that are no counts.
   is_real(column: number): boolean {
