@@ -33,9 +33,10 @@ std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   if (advice.unit == LengthUnit::texels) {
     return fmt::format("{} ({}{})", texels, metres_text(bias.metres), average);
   }
-  const std::string own =
-      advice.unit == LengthUnit::map_depth ? short_bias_text(advice, cell) : metres_text(bias.metres);
-  return fmt::format("{} ({}{})", own, texels, average);
+  if (advice.unit == LengthUnit::map_depth) {
+    return fmt::format("{} ({}, {}{})", short_bias_text(advice, cell), metres_text(bias.metres), texels, average);
+  }
+  return fmt::format("{} ({}{})", metres_text(bias.metres), texels, average);
 }
 
 }  // namespace
@@ -62,7 +63,8 @@ std::string advice_text(const BiasAdvice& advice) {
   }
   // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= advice.plateau.limit;
-  return fmt::format("use {}: {}error {} → {}; {}{}", bias_text(advice, recommended),
+  return fmt::format("use {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended),
+                     is_for_acne && recommended.acne <= little_acne_share ? " for acne of at most 0.1 %" : "",
                      is_for_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
                      percent(used.mae), percent(recommended.mae), range, acne_left(recommended));
 }

@@ -245,7 +245,7 @@ std::vector<std::string> code_lines(const ConvertedTarget& target) {
     const BiasNumber& number = engine.numbers[n];
     std::string remark = has_equivalent ? "" : "no equivalent";
     if (chosen && (chosen->value < number.min || chosen->value > number.max)) {
-      remark = fmt::format("its limit; {} is needed", code_number(chosen->value));
+      remark = fmt::format("its limit; the bias needs {}", code_number(chosen->value));
     }
     if (!remark.empty()) remark = fmt::format("  {} {}", engine.comment, remark);
     for (std::size_t i = 0; i < (is_each ? values->size() : 1); ++i) {

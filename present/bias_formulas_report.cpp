@@ -179,11 +179,12 @@ PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& sett
   plot.stem = is_over_texel ? "bias_fit" : "formula";
   plot.title = is_over_texel ? "Bias against texel size" : "Bias by the formula less the measured bias";
   plot.conditions = setting_text(curves.of_a_formula, setting);
-  plot.caption = is_over_texel ? "Lines: formulas. Rings: the measured biases, one per resolution."
-                               : fmt::format(
-                                     "Points: one for each combination of {}. Above 0 the formula's bias is "
-                                     "larger.",
-                                     names_of(curves.formula_axes));
+  plot.caption = is_over_texel
+                     ? "Lines: formulas, with the Δz of each point. Rings: the measured biases, one per resolution."
+                     : fmt::format(
+                           "Points: one for each combination of {}. Above 0 the formula's bias is "
+                           "larger.",
+                           names_of(curves.formula_axes));
   plot.series = "formula";
   plot.series_label = "formula of";
   plot.is_scatter = !is_over_texel;
@@ -208,7 +209,8 @@ PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& sett
       largest = std::max(largest, point.bias);
       plot.data.rows.push_back({point.bias, is_rounding ? 0.0 : missed / point.texel, name, true});
     }
-    plot.caption += fmt::format(" {}: {}, {}.", name_of(*of), formula_text(*of->formula), residual_text(*of->formula));
+    plot.caption += fmt::format(" {}: {}, {}; {}.", name_of(*of), formula_text(*of->formula),
+                                residual_text(*of->formula), ranges_text(*of->formula));
   }
   if (const std::string symbols = symbols_text(formulas_at(curves, setting)); !symbols.empty())
     plot.caption += " " + symbols + ".";

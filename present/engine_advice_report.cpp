@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/lists.h"
 #include "present/bias_conversion.h"
 #include "present/presentation_parts.h"
 #include "results/number_text.h"
@@ -16,11 +17,18 @@ const std::string no_number = "has no number for this bias";
 const std::string note_mark = "    note: ";
 
 std::string engine_error_text(const EngineAdvice& advice) {
-  const std::string usual =
-      advice.by_default ? fmt::format("; error with its default numbers {}", percent(advice.by_default->mae)) : "";
+  const auto acne_of = [](const BiasCell& cell) {
+    return cell.acne > little_acne_share ? ", acne " + percent(cell.acne) : "";
+  };
+  std::string usual;
+  if (advice.by_default) {
+    usual = fmt::format("; with its default numbers error {}{}", percent(advice.by_default->mae),
+                        acne_of(*advice.by_default));
+    if (advice.measured && advice.by_default->mae < advice.measured->mae) usual += ", which is less";
+  }
   if (!is_complete(advice.target)) return no_number + usual;
   if (!advice.measured) return "error not measured: " + advice.why_not_measured + usual;
-  const std::string acne = advice.measured->acne > little_acne_share ? ", acne " + percent(advice.measured->acne) : "";
+  const std::string acne = acne_of(*advice.measured);
   const std::string slope =
       advice.left_out_slope != 0.0
           ? fmt::format(" without shadow.slope-bias {:g}, for which it has no number", advice.left_out_slope)
@@ -75,11 +83,8 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
     return share_text(cell ? (*cell).*value : std::numeric_limits<double>::quiet_NaN());
   };
   for (const EngineAdvice& each : engines) {
-    std::string set;
-    for (const std::string& code : shown_numbers(each)) {
-      if (!set.empty()) set += set.ends_with(';') || set.ends_with(',') ? " " : "; ";
-      set += code;
-    }
+    // A line each: what follows a comment would be part of it.
+    const std::string set = joined(shown_numbers(each), "\n");
     table.rows.push_back({title_of(each.target.spec), set.empty() ? no_number : set,
                           share(each.measured, &BiasCell::mae), share(each.measured, &BiasCell::acne),
                           share(each.by_default, &BiasCell::mae)});

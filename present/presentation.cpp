@@ -274,6 +274,7 @@ void add_without_ao(Presentation& presentation, double error, double mean_truth)
   const double without = 1.0 - mean_truth;
   if (error < without) {
     presentation.lines.push_back("  without any AO the error would be " + percent(without));
+    presentation.section.text += "\n\nWithout any AO the error would be " + percent(without) + ".";
   } else {
     presentation.answers.push_back(
         fmt::format("warning: without any AO the error would be no larger, {}: choose a view or a distance with more "

@@ -10,6 +10,7 @@
 #include "present/presentation_parts.h"
 #include "present/scene_report.h"
 #include "reports/files/text_layout.h"
+#include "techniques/shadow/map_fit.h"
 
 namespace umbrameter {
 namespace {
@@ -63,8 +64,10 @@ void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
       {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
-  table.rows.push_back({std::string("in the map's depth, mean range ") + metres_text(shadow.depth_unit),
-                        known(bias.depth), std::string("normalised depth")});
+  const bool is_of_cascades = shadow.experiment.shadow.fit.cascade_bias == own_range;
+  const char* depth =
+      is_of_cascades ? "as a share of each cascade's own range, on average " : "in the map's depth, mean range ";
+  table.rows.push_back({depth + metres_text(shadow.depth_unit), known(bias.depth), std::string("normalised depth")});
   section.tables.push_back({"Constant bias of these images", std::move(table)});
 }
 
@@ -125,10 +128,11 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   add_bias_table(section, shadow);
   presentation.answers.push_back(fmt::format(
       "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V)); no bias recommended: a "
-      "tap is neither right nor wrong under a soft reference",
+      "tap is neither right nor wrong under a soft reference; the hard one says which ({})",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
-      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra)));
+      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra),
+      is_over_pixel ? "--truth.shadow point" : "--light.angle 0 or --light.radius 0"));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {

@@ -96,6 +96,10 @@ PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const Plot
     names.push_back(*plot.series);
   }
   if (statistic.has_interval()) {
+    plot.caption += plot.y.label.ends_with("bounds")
+                        ? " Band: bounds that hold the error with at least 95 % confidence; the "
+                          "noise of the reference's rays raises the line."
+                        : " Band: 95 % interval.";
     plot.lower = lower_name(statistic.name);
     plot.upper = upper_name(statistic.name);
     names.push_back(*plot.lower);
@@ -230,6 +234,15 @@ bool compares_filters(const SweepResults& sweep) {
          (varies_group(sweep.plan.axes, "shadow.filter") || varies_group(sweep.plan.axes, "shadow.technique"));
 }
 
+// Whether the cells differ in the reach of their filter, and have one constant bias.
+bool needs_biases(const SweepResults& sweep) {
+  const auto is_of_filter = [](const SweepAxis& axis) {
+    return axis.key == "shadow.technique" || axis.key.starts_with("shadow.filter");
+  };
+  return sweep.quantity() == SweptQuantity::visibility && !sweep.plan.constant_bias.axis &&
+         std::ranges::any_of(sweep.plan.axes, is_of_filter);
+}
+
 // Whether every cell has the same value in each measured column.
 bool are_all_equal(const SweepResults& sweep) {
   std::vector<std::string> measured;
@@ -306,6 +319,12 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     section.text += "The reference looks for occluders " + sweep.ao_limit + " in every cell.";
   const bool ranks_filters = compares_filters(sweep);
   if (ranks_filters) section.text += "\n\n" + std::string(filter_caution);
+  if (needs_biases(sweep)) {
+    const std::string text =
+        "each filter needs a bias of its own, and all cells have one: vary shadow.constant-bias, too";
+    section.text += "\n\nWarning: " + text + ".";
+    presentation.answers.push_back("warning: " + text);
+  }
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (is_flat) {
     section.headlines.front() = {"error of every cell", error, "all cells are equal"};

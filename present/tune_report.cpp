@@ -33,17 +33,26 @@ double objective(const TuneGoal& goal, std::size_t column, const std::vector<Cas
   return value;
 }
 
+// Of two shares in percentage points.
+std::string difference_text(const TuneGoal& goal, const Estimate& difference) {
+  std::string text = cost_text(goal, difference.value, difference);
+  if (text.ends_with('%')) text.replace(text.size() - 1, 1, "percentage points");
+  return text;
+}
+
 // How the best point compares; `difference` and `plain` are its cost less the other's.
 std::string judged(const TuneGoal& goal, const std::optional<Estimate>& difference, double plain) {
   if (plain == 0.0) return "the best point has the same cost";
   if (!difference) return fmt::format("the best point differs by {}, not tested", cost_text(goal, plain));
   if (difference->upper < 0.0) {
     const Estimate less{-difference->value, -difference->upper, -difference->lower};
-    return "the best point is significantly better, by " + cost_text(goal, less.value, less);
+    return "the best point is significantly better, by " + difference_text(goal, less);
   }
-  const std::string text = cost_text(goal, difference->value, difference);
-  if (difference->lower > 0.0) return "the best point is significantly worse, by " + text;
-  return fmt::format("the best point differs by {}, not significantly", text);
+  if (difference->lower > 0.0) return "the best point is significantly worse, by " + difference_text(goal, *difference);
+  const bool is_better = difference->value < 0.0;
+  const Estimate size = is_better ? Estimate{-difference->value, -difference->upper, -difference->lower} : *difference;
+  return fmt::format("the best point is {}, by {}, not significantly", is_better ? "better" : "worse",
+                     difference_text(goal, size));
 }
 
 std::string comparison(const TuneSummary& summary, const std::string& what, const TunePoint& other,
@@ -176,8 +185,11 @@ std::string bias_range_text(const TuneSummary& summary) {
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
-  return text +
-         fmt::format("; acne at most 0.1 % in every case from {}", value_text(*axis, plateau.recommended.constant));
+  text += fmt::format("; acne at most 0.1 % in every case from {}", value_text(*axis, plateau.recommended.constant));
+  const double best = to_number(summary.result.best.values[static_cast<std::size_t>(axis - summary.axes.begin())]);
+  if (best < plateau.recommended.constant)
+    text += ", above the best point: for a point without it, --constraint 'acne<0.1%'";
+  return text;
 }
 
 std::string method_text(const TuneSummary& summary) {
@@ -217,13 +229,14 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   const TuneResult& result = summary.result;
   const TuneGoal& goal = summary.goal;
   answers.push_back(fmt::format(
-      "best: {}: {} {}{}", point_text(summary.axes, result.best.values), cost_words(goal),
-      cost_text(goal, result.best.score.cost, summary.judgement.best),
+      "best: {}: {} {}{}{}", point_text(summary.axes, result.best.values), cost_words(goal),
+      cost_text(goal, result.best.score.cost, summary.judgement.best), summary.judgement.best ? " (95 % interval)" : "",
       summary.cases.size() == 1
           ? ""
           : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));
   if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
-  answers.push_back(comparison(summary, "default", result.before, result.best, summary.judgement.against_before));
+  answers.push_back(comparison(summary, fmt::format("default, {}", point_text(summary.axes, result.before.values)),
+                               result.before, result.best, summary.judgement.against_before));
   if (result.runner_up) {
     answers.push_back(comparison(summary,
                                  fmt::format("runner-up, {}", point_text(summary.axes, result.runner_up->values)),

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "experiments/settings/shard_cuts.h"
 
@@ -223,10 +225,9 @@ class GroupSampler {
     // The innermost axis first: its changes are the most frequent ones.
     for (std::size_t a = steps_.size(); a-- > 0;) measure_axis(a);
     measure_first();  // now what depends on the last axis runs there too
-    choose_corner();
     // The rest of the time tells how the axes act on each other. Without it the time of all is a guess.
     set_budget();
-    if (has_time()) samples_.at_corner = sample(group_at(plan_, corner_));
+    find_corner();
     for (std::size_t i = 0; i < most_values; ++i) {
       set_budget();
       for (std::size_t a = steps_.size(); a-- > 0;) measure_from_corner(a, i);
@@ -278,20 +279,44 @@ class GroupSampler {
     return sum;
   }
 
-  void choose_corner() {
-    Times first(rest + 1);
-    for (std::size_t part = 0; part <= rest; ++part) first[part] = at_first(samples_, part);
-    for (std::size_t a = 0; a < steps_.size(); ++a) {
-      std::size_t corner = 0;
-      double longest = seconds_within(first);
-      for (const auto& [place, times] : samples_.along[a]) {
-        if (seconds_within(times) <= longest) continue;
-        longest = seconds_within(times);
-        corner = place;
-      }
-      samples_.corner.push_back(corner);
-      corner_ += corner * steps_[a];
+  // The value of an axis that took longest with the first values of the others, and how long.
+  std::pair<std::size_t, double> longest_along(std::size_t a) const {
+    std::pair<std::size_t, double> longest{0, 0.0};
+    for (const auto& [place, times] : samples_.along[a]) {
+      if (seconds_within(times) > longest.second) longest = {place, seconds_within(times)};
     }
+    return longest;
+  }
+
+  // From one axis to the next, those that take longest first: a value moves the corner there if it takes longer with
+  // those that moved it before.
+  void find_corner() {
+    samples_.corner.assign(steps_.size(), 0);
+    Times at_corner(rest + 1);
+    for (std::size_t part = 0; part <= rest; ++part) at_corner[part] = at_first(samples_, part);
+    std::vector<std::size_t> order;
+    for (std::size_t a = 0; a < steps_.size(); ++a) order.push_back(a);
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t a) { return longest_along(a).second; });
+    for (const std::size_t a : order) {
+      const auto [place, seconds] = longest_along(a);
+      if (place == 0 || !has_time()) continue;
+      const bool is_first = corner_ == 0;
+      const Times times = is_first ? samples_.along[a].at(place) : sample(group_at(plan_, corner_ + place * steps_[a]));
+      if (seconds_within(times) <= seconds_within(at_corner)) {
+        if (!is_first) samples_.from_corner[a][place] = times;
+        continue;
+      }
+      for (auto& of_axis : samples_.from_corner) of_axis.clear();
+      if (!is_first) samples_.from_corner[a][0] = at_corner;
+      samples_.corner[a] = place;
+      corner_ += place * steps_[a];
+      at_corner = times;
+    }
+    if (corner_ == 0) return;
+    samples_.at_corner = at_corner;
+    // Its shaders were compiled there, which a shard does once; where it is cheap, without that.
+    const bool is_cheap = seconds_within(at_corner) < 0.1 * (budget_ - spent_);
+    if (is_cheap) samples_.at_corner = sample(group_at(plan_, corner_));
   }
 
   // The i-th value besides the corner's, the end of an axis of numbers first.
@@ -301,6 +326,7 @@ class GroupSampler {
     for (const std::size_t place : further_values(axis(a))) places.push_back(place);
     std::erase(places, samples_.corner[a]);
     if (axis(a).values.size() == 1 || i >= places.size() || !has_time() || samples_.at_corner.empty()) return;
+    if (samples_.from_corner[a].contains(places[i])) return;
     const std::size_t group = corner_ - samples_.corner[a] * steps_[a] + places[i] * steps_[a];
     samples_.from_corner[a][places[i]] = sample(group_at(plan_, group));
   }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "experiments/settings/experiment.h"
 #include "experiments/settings/shard_cuts.h"
 
@@ -170,6 +172,25 @@ TEST(SweepCosts, A_pass_that_takes_all_biases_at_once_is_cut_only_for_more_shard
   EXPECT_EQ(cuts.first.size(), 10u);
   for (const double seconds : cuts.seconds) EXPECT_NEAR(seconds, 2.0, 1e-6) << "each repeats the pass";
   EXPECT_EQ(count_shards_within(costs, passes, 0.5), 5u) << "more shards would not be shorter";
+}
+
+// The disk takes longer than the smallest box, and the largest box longest: measuring goes on from that one.
+TEST(SweepCosts, The_values_that_take_longest_together_decide_the_estimate) {
+  const SweepPlan all =
+      sweep_of({"shadow.filter-size=3,5,7,9", "shadow.filter=box,vogel", "shadow.resolution=256,512"});
+  const auto seconds = [](const CellGroup& group) {
+    const double size = to_number(group.values[0]);
+    const double filter = to_string(group.values[1]) == "vogel" ? 2.0 : std::pow(size / 3.0, 2.25);
+    return filter * (to_number(group.values[2]) == 256.0 ? 1.0 : 0.7);
+  };
+  const SweepCosts costs = measure_costs(all, 1e6, [&](const CellGroup& group) {
+    GroupTime time;
+    time.rest = seconds(group);
+    return time;
+  });
+  double expected = 0.0;
+  for (std::size_t i = 0; i < count_groups(all); ++i) expected += seconds(group_at(all, i));
+  EXPECT_NEAR(GroupCosts(costs, all).seconds(0, count_groups(all)), expected, 0.2 * expected);
 }
 
 TEST(SweepCosts, A_million_groups_are_cut_into_shards_of_equal_cost) {
