@@ -287,7 +287,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
       shadow.advice = advise_bias(stages, experiment, light);
     }
     if (!experiment.run.for_engines.empty() && !shadow.advice) {
-      stages.add_notes({no_engines_text(stages.title(light))});
+      stages.add_notes({no_engines_text(stages, experiment, light)});
     } else if (shadow.advice && shadow.advice->withheld && !experiment.run.for_engines.empty()) {
       stages.add_notes({"--for: " + stages.title(light) + ": nothing to convert, as no bias is recommended"});
     }

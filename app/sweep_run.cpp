@@ -174,7 +174,8 @@ ExitCode write_sweep(SweepRun& sweep, const ResultsStore& store, RunFolder& fold
     }
   }
   if (!given.run.for_engines.empty() && !results.measurement->shadows.front().advice) {
-    stages.add_notes({no_engines_text("the cell of least error")});
+    const ShadowMeasurement& best = results.measurement->shadows.front();
+    stages.add_notes({no_engines_text(stages, best.experiment, best.light)});
   }
   results.notes = stages.notes();
   RunOutput output;

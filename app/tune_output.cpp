@@ -79,7 +79,7 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
     best.run.for_engines = job.for_engines;
     Stages& stages = *each.stages;
     if (stages.is_sampled(best, each.light) || !stages.capabilities(best).taps_independent_of_bias) {
-      stages.add_notes({no_engines_text(each.title)});
+      stages.add_notes({no_engines_text(stages, best, each.light)});
       continue;
     }
     all.push_back({each.title, advise_engines(stages, best, each.light)});

@@ -22,9 +22,12 @@ std::string engine_error_text(const EngineAdvice& advice) {
   };
   std::string usual;
   if (advice.by_default) {
-    usual = fmt::format("; with its default numbers error {}{}", percent(advice.by_default->mae),
-                        acne_of(*advice.by_default));
-    if (advice.measured && advice.by_default->mae < advice.measured->mae) usual += ", which is less";
+    const std::string error = percent(advice.by_default->mae);
+    const bool is_less =
+        advice.measured && advice.by_default->mae < advice.measured->mae && error != percent(advice.measured->mae);
+    usual =
+        fmt::format("; {} {}{}", is_less ? "its default numbers have less error," : "with its default numbers error",
+                    error, acne_of(*advice.by_default));
   }
   if (!is_complete(advice.target)) return no_number + usual;
   if (!advice.measured) return "error not measured: " + advice.why_not_measured + usual;

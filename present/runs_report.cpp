@@ -142,6 +142,20 @@ Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const C
   return table;
 }
 
+// Whether runs with another filter than the first were measured against the same hard shadow: only there is acne.
+bool compares_filters(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared) {
+  const auto has_filter_of_first = [&](const ComparedValue& value) {
+    return std::ranges::all_of(runs.front().parameters, [&](const std::pair<std::string, std::string>& parameter) {
+      const bool is_filter = parameter.first == "shadow.filter" || parameter.first == "shadow.technique";
+      return !is_filter || std::ranges::find(runs[value.run].parameters, parameter) != runs[value.run].parameters.end();
+    });
+  };
+  return std::ranges::any_of(compared, [&](const ComparedStatistic& each) {
+    return each.name == "acne" && each.values.front().run == 0 &&
+           !std::ranges::all_of(each.values, has_filter_of_first);
+  });
+}
+
 }  // namespace
 
 std::string with_half_width(double value, double half_width) {
@@ -218,7 +232,8 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
     if (each.name != error_statistic) continue;
     const std::string what = each.light.empty() ? (each.kind == "ao" ? "AO" : each.kind) : each.light;
     for (const ComparedValue& value : each.values) {
-      std::string line = fmt::format("{}, {}: error {} %{}", what, runs[value.run].name, compared_text(value),
+      const char* cell = runs[value.run].command == "sweep" ? ", cell of least error" : "";
+      std::string line = fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, compared_text(value),
                                      value.interval == IntervalOf::pixels ? " (95 %, over pixels and rays)" : "");
       if (value.verdict != Verdict::base) {
         line += fmt::format("; difference to {} {} percentage points ({})", runs.front().name,
@@ -228,6 +243,7 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
       answers.push_back(std::move(line));
     }
   }
+  if (compares_filters(runs, compared)) answers.push_back(std::string("warning: ") + filter_warning);
   return answers;
 }
 

@@ -64,7 +64,8 @@ void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
       {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
-  const bool is_of_cascades = shadow.experiment.shadow.fit.cascade_bias == own_range;
+  const bool is_of_cascades =
+      shadow.layout.kind == MapKind::orthographic && shadow.experiment.shadow.fit.cascade_bias == own_range;
   const char* depth =
       is_of_cascades ? "as a share of each cascade's own range, on average " : "in the map's depth, mean range ";
   table.rows.push_back({depth + metres_text(shadow.depth_unit), known(bias.depth), std::string("normalised depth")});
@@ -102,6 +103,11 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
       percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
 }
 
+const char* flags_without_extent(const Emitter& emitter) {
+  if (std::holds_alternative<DistantEmitter>(emitter)) return "--light.angle 0";
+  return std::holds_alternative<RectangleEmitter>(emitter) ? "--light.width 0 --light.height 0" : "--light.radius 0";
+}
+
 void present_soft_error(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
                         const ShadowMeasurement& shadow, const SoftVisibilityStatistics& s) {
   const std::string title = scene.title(shadow.light);
@@ -132,7 +138,7 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
       percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra),
-      is_over_pixel ? "--truth.shadow point" : "--light.angle 0 or --light.radius 0"));
+      is_over_pixel ? "--truth.shadow point" : flags_without_extent(shadow.emitter)));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {

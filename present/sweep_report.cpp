@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <span>
@@ -234,10 +235,15 @@ bool compares_filters(const SweepResults& sweep) {
          (varies_group(sweep.plan.axes, "shadow.filter") || varies_group(sweep.plan.axes, "shadow.technique"));
 }
 
+constexpr const char* one_bias_warning =
+    "each filter needs a bias of its own, and all cells have one: vary shadow.constant-bias, too";
+
 // Whether the cells differ in the reach of their filter, and have one constant bias.
 bool needs_biases(const SweepResults& sweep) {
   const auto is_of_filter = [](const SweepAxis& axis) {
-    return axis.key == "shadow.technique" || axis.key.starts_with("shadow.filter");
+    constexpr std::array<std::string_view, 4> keys = {"shadow.technique", "shadow.filter", "shadow.filter-size",
+                                                      "shadow.filter-radius"};
+    return axis.values.size() > 1 && std::ranges::find(keys, axis.key) != keys.end();
   };
   return sweep.quantity() == SweptQuantity::visibility && !sweep.plan.constant_bias.axis &&
          std::ranges::any_of(sweep.plan.axes, is_of_filter);
@@ -319,12 +325,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     section.text += "The reference looks for occluders " + sweep.ao_limit + " in every cell.";
   const bool ranks_filters = compares_filters(sweep);
   if (ranks_filters) section.text += "\n\n" + std::string(filter_caution);
-  if (needs_biases(sweep)) {
-    const std::string text =
-        "each filter needs a bias of its own, and all cells have one: vary shadow.constant-bias, too";
-    section.text += "\n\nWarning: " + text + ".";
-    presentation.answers.push_back("warning: " + text);
-  }
+  const bool has_one_bias = !is_flat && needs_biases(sweep);
+  if (has_one_bias) section.text += "\n\nWarning: " + std::string(one_bias_warning) + ".";
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (is_flat) {
     section.headlines.front() = {"error of every cell", error, "all cells are equal"};
@@ -350,13 +352,20 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     }
   }
   if (ranks_filters) presentation.answers.push_back("warning: " + std::string(filter_warning));
+  if (has_one_bias) presentation.answers.push_back("warning: " + std::string(one_bias_warning));
   for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
   if (curves) return presentation;
   for (const std::vector<Value>& row : best.rows) {
     if (presentation.lines.size() > 8) break;
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
-    presentation.lines.push_back(
-        fmt::format("  least error {} at {}", error_text(best, row), row_text(sweep.plan.axes, row)));
+    std::vector<SweepAxis> listed;
+    std::vector<Value> values;
+    for (const std::size_t a : listed_axes(sweep)) {
+      listed.push_back(sweep.plan.axes[a]);
+      values.push_back(row[a]);
+    }
+    presentation.lines.push_back(fmt::format("  of {}: least error {} at {}", row_text(listed, values),
+                                             error_text(best, row), row_text(sweep.plan.axes, row)));
   }
   return presentation;
 }

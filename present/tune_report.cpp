@@ -34,35 +34,39 @@ double objective(const TuneGoal& goal, std::size_t column, const std::vector<Cas
 }
 
 // Of two shares in percentage points.
-std::string difference_text(const TuneGoal& goal, const Estimate& difference) {
-  std::string text = cost_text(goal, difference.value, difference);
+std::string difference_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval = {}) {
+  std::string text = cost_text(goal, value, interval);
   if (text.ends_with('%')) text.replace(text.size() - 1, 1, "percentage points");
   return text;
 }
 
 // How the best point compares; `difference` and `plain` are its cost less the other's.
-std::string judged(const TuneGoal& goal, const std::optional<Estimate>& difference, double plain) {
+std::string judged(const TuneGoal& goal, std::optional<Estimate> difference, double plain) {
   if (plain == 0.0) return "the best point has the same cost";
-  if (!difference) return fmt::format("the best point differs by {}, not tested", cost_text(goal, plain));
-  if (difference->upper < 0.0) {
-    const Estimate less{-difference->value, -difference->upper, -difference->lower};
-    return "the best point is significantly better, by " + difference_text(goal, less);
-  }
-  if (difference->lower > 0.0) return "the best point is significantly worse, by " + difference_text(goal, *difference);
-  const bool is_better = difference->value < 0.0;
-  const Estimate size = is_better ? Estimate{-difference->value, -difference->upper, -difference->lower} : *difference;
-  return fmt::format("the best point is {}, by {}, not significantly", is_better ? "better" : "worse",
-                     difference_text(goal, size));
+  const double value = difference ? difference->value : plain;
+  if (!std::isfinite(value)) return "the best point cannot be compared";
+  if (difference && value < 0.0) difference = {-value, -difference->upper, -difference->lower};
+  const char* is_significant = !difference ? ", not tested" : difference->lower > 0.0 ? "" : ", not significantly";
+  return fmt::format("the best point is {}{}, by {}{}", difference && difference->lower > 0.0 ? "significantly " : "",
+                     value < 0.0 ? "better" : "worse", difference_text(goal, std::abs(value), difference),
+                     is_significant);
 }
 
-std::string comparison(const TuneSummary& summary, const std::string& what, const TunePoint& other,
-                       const TunePoint& best, const std::optional<Estimate>& difference) {
+std::string comparison(const TuneSummary& summary, const char* what, const TunePoint& other,
+                       const std::optional<Estimate>& difference) {
   const TuneGoal& goal = summary.goal;
+  const TunePoint& best = summary.result.best;
   std::string verdict = judged(goal, difference, best.score.cost - other.score.cost);
   if (best.score.is_kept() && !other.score.is_kept()) {
     verdict += fmt::format("; the {} breaks a constraint that the best point keeps", what);
   }
-  return fmt::format("{}: {}; {}", what, cost_text(goal, other.score.cost), verdict);
+  // A bias in the unit of another axis has no number here.
+  const bool has_numbers = std::ranges::none_of(other.values, [](const Value& each) {
+    const auto* number = std::get_if<double>(&each);
+    return number != nullptr && std::isnan(*number);
+  });
+  return fmt::format("{}{}: {}; {}", what, has_numbers ? ", " + point_text(summary.axes, other.values) : "",
+                     cost_text(goal, other.score.cost), verdict);
 }
 
 Table case_table(const TuneSummary& summary) {
@@ -187,8 +191,7 @@ std::string bias_range_text(const TuneSummary& summary) {
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
   text += fmt::format("; acne at most 0.1 % in every case from {}", value_text(*axis, plateau.recommended.constant));
   const double best = to_number(summary.result.best.values[static_cast<std::size_t>(axis - summary.axes.begin())]);
-  if (best < plateau.recommended.constant)
-    text += ", above the best point: for a point without it, --constraint 'acne<0.1%'";
+  if (best < plateau.recommended.constant) text += "; the best point has more: --constraint 'acne<0.1%' avoids that";
   return text;
 }
 
@@ -235,12 +238,9 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
           ? ""
           : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));
   if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
-  answers.push_back(comparison(summary, fmt::format("default, {}", point_text(summary.axes, result.before.values)),
-                               result.before, result.best, summary.judgement.against_before));
+  answers.push_back(comparison(summary, "default", result.before, summary.judgement.against_before));
   if (result.runner_up) {
-    answers.push_back(comparison(summary,
-                                 fmt::format("runner-up, {}", point_text(summary.axes, result.runner_up->values)),
-                                 *result.runner_up, result.best, summary.judgement.against_runner_up));
+    answers.push_back(comparison(summary, "runner-up", *result.runner_up, summary.judgement.against_runner_up));
   }
   if (summary.judgement.held_out) {
     const HeldOut& held = *summary.judgement.held_out;

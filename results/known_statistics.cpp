@@ -76,11 +76,17 @@ const std::vector<KnownStatistic>& known_statistics() {
 }
 
 bool can_be_negative(std::string_view statistic) {
-  constexpr std::array<std::string_view, 5> signed_ones = {"mean_error", "shadows", "ao", "gbuffer", "shading"};
-  return std::ranges::find(signed_ones, statistic) != signed_ones.end() ||
-         std::ranges::any_of(known_statistics(), [&](const KnownStatistic& each) {
+  return is_signed_error(statistic) || std::ranges::any_of(known_statistics(), [&](const KnownStatistic& each) {
            return each.name == statistic && each.is_higher_better;
          });
+}
+
+bool is_signed_error(std::string_view statistic) {
+  constexpr std::array<std::string_view, 5> names = {"mean_error", "shadows", "ao", "gbuffer", "shading"};
+  // Metrics, also in texels and metres.
+  constexpr std::array<std::string_view, 2> beginnings = {"edge-displacement", "edge-width"};
+  return std::ranges::find(names, statistic) != names.end() ||
+         std::ranges::any_of(beginnings, [&](std::string_view each) { return statistic.starts_with(each); });
 }
 
 StatisticName parse_statistic_name(std::string_view text) {

@@ -31,6 +31,9 @@ const std::vector<KnownStatistic>& known_statistics();
 /// Absolute errors, RMS errors and shares are never below 0, so neither are their intervals.
 bool can_be_negative(std::string_view statistic);
 
+/// Whether 0 is the best value and others lie on both sides of it.
+bool is_signed_error(std::string_view statistic);
+
 /// "ao.mae" is the statistic mae of kind ao; "mae" is of any kind.
 struct StatisticName {
   std::string kind;  ///< empty: any

@@ -129,7 +129,7 @@ std::vector<BudgetEntry> budget_for(const std::vector<MeasuredStatistic>& measur
     if (known == nullptr || !known->is_error || !std::isfinite(each.value)) continue;
     BudgetEntry entry;
     entry.statistic = each.name;
-    entry.is_magnitude = can_be_negative(each.name);
+    entry.is_magnitude = is_signed_error(each.name);
     entry.bound.relation = known->is_higher_better ? Relation::at_least : Relation::at_most;
     entry.scene = each.scene;
     entry.kind = each.kind;

@@ -71,7 +71,8 @@ std::vector<BiasTerms> terms_of(const Experiment& experiment, const MapLayout& l
   const bool moves_caster = !is_none(caster);
   const NormalOffset& offset = moves_caster ? caster : receiver;
   const OffsetKind kind{offset.profile, moves_caster ? OffsetSide::caster : OffsetSide::receiver,
-                        moves_caster ? OffsetDirection::normal : experiment.shadow.bias.offset_direction};
+                        moves_caster ? OffsetDirection::normal : experiment.shadow.bias.offset_direction,
+                        experiment.shadow.bias.offset_facing};
   const Length& constant = experiment.shadow.bias.constant;
   std::vector<BiasTerms> terms;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -106,6 +107,7 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
   experiment.shadow.bias.normal_offset = moves_caster ? NormalOffset{0.0, 0.0, offset.profile} : offset;
   experiment.shadow.map_depth.caster_offset = moves_caster ? offset : NormalOffset{};
   experiment.shadow.bias.offset_direction = terms[0].offset.direction;
+  experiment.shadow.bias.offset_facing = terms[0].offset.facing;
   experiment.shadow.map_depth.polygon_offset_factor = terms[0].slope;
   experiment.shadow.bias.slope = 0.0;  // no term
   return experiment;

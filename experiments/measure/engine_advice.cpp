@@ -97,10 +97,12 @@ class EnginesOfLight {
 
 }  // namespace
 
-std::string no_engines_text(const std::string& what) {
-  return what +
-         ": no bias in the numbers of engines; that needs a hard shadow, counted pixels, and a technique that "
-         "compares the same texels at every bias";
+std::string no_engines_text(const Stages& stages, const Experiment& experiment, std::uint32_t light) {
+  const char* needed = stages.is_sampled(experiment, light) ? "a hard shadow"
+                       : stages.capabilities(experiment).taps_independent_of_bias
+                           ? "counted pixels"
+                           : "a technique that compares the same texels at every bias";
+  return stages.title(light) + ": no bias in the numbers of engines; that needs " + needed;
 }
 
 std::vector<EngineAdvice> advise_engines(Stages& stages, const Experiment& experiment, std::uint32_t light) {

@@ -9,8 +9,8 @@
 
 namespace umbrameter {
 
-/// Why `what`, a light or a case, has no numbers of engines.
-std::string no_engines_text(const std::string& what);
+/// Why a light has no numbers of engines.
+std::string no_engines_text(const Stages& stages, const Experiment& experiment, std::uint32_t light);
 
 /// The experiment's bias in the numbers of the engines that its run.for names, for one light with a binary reference.
 /// Empty if it names none. Throws Error (usage) for what parse_bias_targets() refuses.

@@ -292,31 +292,37 @@ class GroupSampler {
   // those that moved it before.
   void find_corner() {
     samples_.corner.assign(steps_.size(), 0);
-    Times at_corner(rest + 1);
-    for (std::size_t part = 0; part <= rest; ++part) at_corner[part] = at_first(samples_, part);
+    samples_.at_corner.resize(rest + 1);
+    for (std::size_t part = 0; part <= rest; ++part) samples_.at_corner[part] = at_first(samples_, part);
     std::vector<std::size_t> order;
     for (std::size_t a = 0; a < steps_.size(); ++a) order.push_back(a);
     std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t a) { return longest_along(a).second; });
     for (const std::size_t a : order) {
       const auto [place, seconds] = longest_along(a);
       if (place == 0 || !has_time()) continue;
-      const bool is_first = corner_ == 0;
-      const Times times = is_first ? samples_.along[a].at(place) : sample(group_at(plan_, corner_ + place * steps_[a]));
-      if (seconds_within(times) <= seconds_within(at_corner)) {
-        if (!is_first) samples_.from_corner[a][place] = times;
+      const bool is_known = corner_ == 0;
+      const Times times = is_known ? samples_.along[a].at(place) : sample(group_at(plan_, corner_ + place * steps_[a]));
+      if (seconds_within(times) <= seconds_within(samples_.at_corner)) {
+        if (!is_known) samples_.from_corner[a][place] = times;
         continue;
       }
       for (auto& of_axis : samples_.from_corner) of_axis.clear();
-      if (!is_first) samples_.from_corner[a][0] = at_corner;
+      samples_.from_corner[a][0] = samples_.at_corner;
       samples_.corner[a] = place;
       corner_ += place * steps_[a];
-      at_corner = times;
+      samples_.at_corner = times;
     }
-    if (corner_ == 0) return;
-    samples_.at_corner = at_corner;
-    // Its shaders were compiled there, which a shard does once; where it is cheap, without that.
-    const bool is_cheap = seconds_within(at_corner) < 0.1 * (budget_ - spent_);
-    if (is_cheap) samples_.at_corner = sample(group_at(plan_, corner_));
+    measure_corner_again();
+  }
+
+  // The time there includes the compilation of its shaders, which a shard does once: where it is cheap, it is measured
+  // again without.
+  void measure_corner_again() {
+    if (!(seconds_within(samples_.at_corner) < 0.1 * (budget_ - spent_))) return;
+    const Times again = sample(group_at(plan_, corner_));
+    for (std::size_t part = 0; part <= rest; ++part) {
+      if (again[part] >= 0.0) samples_.at_corner[part] = again[part];
+    }
   }
 
   // The i-th value besides the corner's, the end of an axis of numbers first.

@@ -49,7 +49,8 @@ std::string flags_of(const OffsetKind& kind) {
   if (kind.profile != OffsetProfile::sine) {
     text += " " + flag + "-profile " + std::string(offset_profile_names[static_cast<std::size_t>(kind.profile)]);
   }
-  return text + (kind.direction == OffsetDirection::across ? " --shadow.normal-offset-direction across" : "");
+  if (kind.direction == OffsetDirection::across) text += " --shadow.normal-offset-direction across";
+  return text + (kind.facing == OffsetFacing::front ? " --shadow.normal-offset-facing front" : "");
 }
 
 // Away from 0, up to a multiple of the unit.

@@ -36,12 +36,15 @@ enum class BiasTerm { constant, normal, slope };
 
 enum class OffsetSide { receiver, caster };  ///< receiver outwards, or caster inwards
 
-/// Two offsets are equivalent only if all three agree.
+/// Two offsets are equivalent only if profile, side and direction agree.
 struct OffsetKind {
   OffsetProfile profile = OffsetProfile::constant;
   OffsetSide side = OffsetSide::receiver;
   OffsetDirection direction = OffsetDirection::normal;
-  friend bool operator==(const OffsetKind&, const OffsetKind&) = default;
+  OffsetFacing facing = OffsetFacing::viewer;  ///< differs only on the backs of double-sided faces
+  friend bool operator==(const OffsetKind& a, const OffsetKind& b) {
+    return a.profile == b.profile && a.side == b.side && a.direction == b.direction;
+  }
 };
 
 /// "moves the receiver along its normal by metres × sin θ".

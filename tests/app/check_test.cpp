@@ -102,6 +102,20 @@ TEST_F(Check, Update_writes_bounds_that_the_run_keeps_with_head_room_and_that_a_
   EXPECT_EQ(run_program({"check", bad, "--budget", file}).exit_code, 0);
 }
 
+TEST_F(Check, Update_bounds_a_signed_error_on_both_sides_of_0) {
+  const auto run_with = [&](const std::string& name, double mean_error) {
+    Json json = Json::parse(summary(0.001));
+    json["ao"]["statistics"]["mean_error"] = mean_error;
+    return run(name, json.dump());
+  };
+  const std::string bright = run_with("bright", 0.08), dark = run_with("dark", -0.2);
+  const std::string file = folder_ / "signed.toml";
+  EXPECT_EQ(run_program({"check", bright, "--budget", file, "--update"}).exit_code, 0);
+  EXPECT_NE(text_of(file).find("\"|mean_error|\""), std::string::npos) << text_of(file);
+  EXPECT_NE(text_of(file).find("\"psnr\""), std::string::npos) << "a score has one good side";
+  EXPECT_EQ(run_program({"check", dark, "--budget", file}).exit_code, 1);
+}
+
 TEST_F(Check, Budget_that_names_nothing_in_the_run_fails) {
   const ProgramResult result =
       run_program({"check", run("good", summary(0.01)), "--budget",

@@ -178,6 +178,10 @@ TEST(EngineBias, Offsets_are_equivalent_only_if_profile_side_and_direction_agree
       "--shadow.normal-offset {} --shadow.normal-offset-profile constant --shadow.normal-offset-direction across");
   EXPECT_EQ(converted("unity-urp:normalBias=1", "umbrameter", courtyard()).numbers[1].code,
             "--shadow.caster-offset {} --shadow.caster-offset-profile one-minus-cosine");
+  // The same but for the backs of double-sided faces.
+  EXPECT_NEAR(*converted("three:normalBias=0.1", "playcanvas", courtyard()).numbers[1].value, 0.1, 1e-12);
+  EXPECT_EQ(converted("three:normalBias=0.1", "umbrameter", courtyard()).numbers[1].code,
+            "--shadow.normal-offset {} --shadow.normal-offset-profile constant --shadow.normal-offset-facing front");
   for (const char* target : {"three", "unity-urp", "filament", "playcanvas", "babylon"}) {
     const BiasConversion none = converted("godot:normal_bias=2", target, courtyard());
     EXPECT_FALSE(none.numbers[1].value) << target;

@@ -92,7 +92,10 @@ export class Cells {
     const value = this.shown(row, column);
     const half = this.half_width(row, column);
     if (typeof value !== 'number' || !(half > 0)) return this.text(row, column, column < this.packed.axes ? 5 : 3);
-    return value.toFixed(Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(half))))).replace('-', '−');
+    // Of six digits, which is all that the page has.
+    const available = 5 - Math.floor(Math.log10(Math.abs(value) || 1));
+    const decimals = Math.min(available, 1 - Math.floor(Math.log10(half) + 1e-9));
+    return value.toFixed(Math.max(0, Math.min(9, decimals))).replace('-', '−');
   }
   // Of the interval of a measured number, or of that whose end it is; of the technique's mean that of its difference to the
   // reference's. 0 where there is none.
