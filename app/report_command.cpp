@@ -199,10 +199,11 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
       section.tables.push_back({fmt::format("Difference to the run '{}'", runs.front().name), part.differences});
     } else if (runs.size() > 1) {
       constexpr std::size_t run = 2;  // the column of the run's name
-      const auto is_of_another = [&](const std::vector<Value>& row) { return row[run] != part.all.rows.front()[run]; };
-      section.text += std::ranges::any_of(part.all.rows, is_of_another)
-                          ? " All runs that measured this have the same errors."
-                          : " One run alone measured this.";
+      std::set<std::string> measured;
+      for (const std::vector<Value>& row : part.all.rows) measured.insert(to_string(row[run]));
+      section.text += measured.size() == 1             ? " One run alone measured this."
+                      : measured.size() == runs.size() ? " All runs have the same errors."
+                                                       : " All runs that measured this have the same errors.";
     }
     section.tables.push_back({"All statistics", part.all});
     report.sections.push_back(std::move(section));

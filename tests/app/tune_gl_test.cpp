@@ -71,8 +71,9 @@ TEST_F(Tune, Says_in_words_what_was_minimised_and_how_much_better_the_best_point
       run_program(arguments("words", {"--light", "sun", "--vary", "shadow.constant-bias=0:0.2"}));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find(" cm: mean absolute error "), std::string::npos) << result.out;
-  const std::string default_line = result.out.substr(result.out.find("default, "));
-  EXPECT_NE(default_line.substr(0, default_line.find('\n')).find("; the best point "), std::string::npos) << result.out;
+  const std::string default_line = result.out.substr(result.out.find("\ndefault"));
+  EXPECT_NE(default_line.substr(0, default_line.find('\n', 1)).find("; the best point "), std::string::npos)
+      << result.out;
   EXPECT_NE(result.out.find("; acne at most 0.1 % in every case from "), std::string::npos) << result.out;
 }
 

@@ -105,7 +105,7 @@ class Report(unittest.TestCase):
         self.assertEqual(rows["verdict"]["compare"], "base")
         self.assertTrue((run.folder / "index.html").is_file())
         self.assertEqual(um.load(run.folder).table["value"].dtype, float)
-        self.assertIn("sun, sweep: error", run.answer)
+        self.assertIn("sun, sweep, cell of least error: error", run.answer)
 
     def test_the_page_of_one_run_is_its_own_again(self):
         run = um.report(compared(), arguments=["--figure-style", "column"])
