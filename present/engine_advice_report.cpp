@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/lists.h"
 #include "present/bias_conversion.h"
 #include "present/presentation_parts.h"
 #include "results/number_text.h"
@@ -86,8 +85,14 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
     return share_text(cell ? (*cell).*value : std::numeric_limits<double>::quiet_NaN());
   };
   for (const EngineAdvice& each : engines) {
-    // A line each: what follows a comment would be part of it.
-    const std::string set = joined(shown_numbers(each), "\n");
+    std::string set;
+    for (const std::string& line : shown_numbers(each)) {
+      // Without its comment, which would swallow what follows in one line; the notes say the same.
+      const std::string code = line.substr(0, line.find(fmt::format("  {}", each.target.spec.engine->comment)));
+      if (code.starts_with(each.target.spec.engine->comment)) continue;
+      if (!set.empty()) set += set.ends_with(';') || set.ends_with(',') ? " " : "; ";
+      set += code;
+    }
     table.rows.push_back({title_of(each.target.spec), set.empty() ? no_number : set,
                           share(each.measured, &BiasCell::mae), share(each.measured, &BiasCell::acne),
                           share(each.by_default, &BiasCell::mae)});
