@@ -200,7 +200,7 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
       }
       section.tables.push_back({fmt::format("Difference to the run '{}'", runs.front().name), part.differences});
     } else if (runs.size() > 1) {
-      constexpr std::size_t run = 2;  // the column of the run's name
+      const std::size_t run = column_index(part.all, "run");
       std::set<std::string> measured;
       for (const std::vector<Value>& row : part.all.rows) measured.insert(to_string(row[run]));
       section.text += measured.size() == 1             ? " One run alone measured this."

@@ -230,7 +230,7 @@ std::string title_of(const BiasSpec& spec) {
   return std::string(spec.engine->title) + (settings.empty() ? "" : ", " + settings);
 }
 
-std::vector<std::string> code_lines(const ConvertedTarget& target) {
+std::vector<std::string> code_lines(const ConvertedTarget& target, bool has_remarks) {
   std::vector<std::string> lines;
   const BiasEngine& engine = *target.spec.engine;
   for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
@@ -247,13 +247,13 @@ std::vector<std::string> code_lines(const ConvertedTarget& target) {
     if (chosen && (chosen->value < number.min || chosen->value > number.max)) {
       remark = fmt::format("its limit; the bias needs {}", code_number(chosen->value));
     }
-    if (!remark.empty()) remark = fmt::format("  {} {}", engine.comment, remark);
+    remark = has_remarks && !remark.empty() ? fmt::format("  {} {}", engine.comment, remark) : "";
     for (std::size_t i = 0; i < (is_each ? values->size() : 1); ++i) {
       lines.push_back(code_line(code, (*values)[i], i, is_each) + remark);
     }
   }
   // Zeros alone would look like an answer.
-  if (!lines.empty()) {
+  if (has_remarks && !lines.empty()) {
     for (const std::string& missing : target.conversions.front().missing) {
       lines.push_back(fmt::format("{} {}: it is lost", engine.comment, missing));
     }

@@ -15,8 +15,9 @@ nlohmann::ordered_json to_json(const ConvertedBias& bias);
 /// "Godot 4, blur = 1, quality = low": an engine with the settings that enter its formulas.
 std::string title_of(const BiasSpec& spec);
 
-/// What sets the target's numbers, in the engine's own code or our flags; a line each.
-std::vector<std::string> code_lines(const ConvertedTarget& target);
+/// What sets the target's numbers, in the engine's own code or our flags; a line each. Remarks are comments of that
+/// code.
+std::vector<std::string> code_lines(const ConvertedTarget& target, bool has_remarks = true);
 
 /// What has no equivalent, is rounded or lies outside a limit, what the engine does besides, and what is not verified.
 std::vector<std::string> notes_of(const ConvertedTarget& target);

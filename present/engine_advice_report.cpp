@@ -40,9 +40,9 @@ std::string engine_error_text(const EngineAdvice& advice) {
 
 // Lines of the engine's code, or the number in a unit. None where a part of the bias is left out: zeros would look like
 // a recommendation.
-std::vector<std::string> shown_numbers(const EngineAdvice& advice) {
+std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_remarks) {
   if (!is_complete(advice.target)) return {};
-  std::vector<std::string> lines = code_lines(advice.target);
+  std::vector<std::string> lines = code_lines(advice.target, has_remarks);
   const std::vector<BiasNumber>& numbers = advice.target.spec.engine->numbers;
   for (std::size_t n = 0; n < numbers.size(); ++n) {
     const auto values = set_values(advice.target, n);
@@ -68,7 +68,7 @@ std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, 
   std::vector<std::string> lines;
   for (const EngineAdvice& each : engines) {
     lines.push_back(fmt::format("  {} in {}: {}", what, title_of(each.target.spec), engine_error_text(each)));
-    for (const std::string& code : shown_numbers(each)) lines.push_back("    " + code);
+    for (const std::string& code : shown_numbers(each, true)) lines.push_back("    " + code);
     for (const std::string& note : notes_with_offset(each)) lines.push_back(note_mark + note);
   }
   return lines;
@@ -86,10 +86,8 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
   };
   for (const EngineAdvice& each : engines) {
     std::string set;
-    for (const std::string& line : shown_numbers(each)) {
-      // Without its comment, which would swallow what follows in one line; the notes say the same.
-      const std::string code = line.substr(0, line.find(fmt::format("  {}", each.target.spec.engine->comment)));
-      if (code.starts_with(each.target.spec.engine->comment)) continue;
+    // Without remarks, which would swallow what follows in one line; the notes say the same.
+    for (const std::string& code : shown_numbers(each, false)) {
       if (!set.empty()) set += set.ends_with(';') || set.ends_with(',') ? " " : "; ";
       set += code;
     }

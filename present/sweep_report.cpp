@@ -236,7 +236,7 @@ bool compares_filters(const SweepResults& sweep) {
 }
 
 constexpr const char* one_bias_warning =
-    "each filter needs a bias of its own, and all cells have one: vary shadow.constant-bias, too";
+    "each filter needs its own bias, but all cells have the same one: vary shadow.constant-bias, too";
 
 // Whether the cells differ in the reach of their filter, and have one constant bias.
 bool needs_biases(const SweepResults& sweep) {

@@ -33,7 +33,7 @@ struct Samples {
   double piece = 1.0;             // the size of those parts, as a share of the group's cells
   // What depends on several axes is predicted best where it takes most: at those values of them.
   std::vector<std::size_t> corner{};  // index of a value of each outer axis
-  Times at_corner{};                  // empty: not measured
+  Times at_corner{};                  // empty: not yet chosen
   TimesAlong from_corner{};           // the other axes at the corner's values
 };
 
@@ -331,7 +331,7 @@ class GroupSampler {
     places.push_back(0);
     for (const std::size_t place : further_values(axis(a))) places.push_back(place);
     std::erase(places, samples_.corner[a]);
-    if (axis(a).values.size() == 1 || i >= places.size() || !has_time() || samples_.at_corner.empty()) return;
+    if (axis(a).values.size() == 1 || i >= places.size() || !has_time()) return;
     if (samples_.from_corner[a].contains(places[i])) return;
     const std::size_t group = corner_ - samples_.corner[a] * steps_[a] + places[i] * steps_[a];
     samples_.from_corner[a][places[i]] = sample(group_at(plan_, group));

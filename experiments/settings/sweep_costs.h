@@ -36,10 +36,10 @@ inline constexpr double cost_budget = 20.0;
 
 using MeasureGroup = std::function<GroupTime(const CellGroup&)>;
 
-/// Measures the first group, other values of each axis with the first values of the others, and a part of the first
-/// group, until `budget` seconds are spent, or 3 % of the time of the sweep if that is more, but at most six times the
-/// budget. Of an axis of numbers its ends and some values between them, of which the others are interpolated; of an
-/// axis of words as many as there is time for.
+/// Measures the first group, other values of each axis with the first values of the others, and with those that take
+/// longest together, and a part of the first group, until `budget` seconds are spent, or 3 % of the time of the sweep
+/// if that is more, but at most six times the budget. Of an axis of numbers its ends and some values between them, of
+/// which the others are interpolated; of an axis of words as many as there is time for.
 SweepCosts measure_costs(const SweepPlan& plan, double budget, const MeasureGroup& measure);
 
 }  // namespace umbrameter
