@@ -145,6 +145,7 @@ ExitCode write_sweep(SweepRun& sweep, const ResultsStore& store, RunFolder& fold
     context.depth_unit = depth_unit(values);
     const Experiment cell = cell_in_metres(stages, experiment, axes, values);
     const std::uint32_t light = stages.lights(cell.view.light).front();
+    context.texels_differ = texels_differ(*stages.layout(cell, light));
     if (with_facts) context.facts = measure_bias_facts(stages, cell, light);
     if (!has_floor(stages.scene())) context.evidence = measure_bias_evidence(stages, cell, light);
     return context;

@@ -167,10 +167,11 @@ std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const Bi
   std::string text = curves.unit == LengthUnit::metres
                          ? metres_text(cell.constant, digits)
                          : with_minus(fmt::format("{:.{}g} {}", cell.constant, digits, unit_name(curves.unit)));
+  const char* average = curve.texels_differ ? " on average" : "";
   if (is_in_texels) {
-    text += fmt::format(" ({})", metres_text(bias.metres, digits));
+    text += fmt::format(" ({}{})", metres_text(bias.metres, digits), average);
   } else if (std::isfinite(bias.texels)) {
-    text += " (" + with_minus(fmt::format("{:.{}g} texels", bias.texels, digits)) + ")";
+    text += with_minus(fmt::format(" ({:.{}g} texels{})", bias.texels, digits, average));
   }
   if (curves.varies_slope) text += ", slope-scaled bias " + with_minus(fmt::format("{:.3g} texels", cell.slope));
   return text;

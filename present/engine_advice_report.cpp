@@ -74,6 +74,17 @@ std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, 
   return lines;
 }
 
+std::vector<std::string> remarks_on(const std::vector<EngineAdvice>& engines) {
+  std::vector<std::string> remarks;
+  for (const EngineAdvice& each : engines) {
+    if (!each.why_not_measured.empty()) {
+      remarks.push_back(fmt::format("{}: {}.", each.target.spec.engine->name, each.why_not_measured));
+    }
+    for (const std::string& note : notes_with_offset(each)) remarks.push_back(note + ".");
+  }
+  return remarks;
+}
+
 ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::string& what) {
   Table table{{{"engine", "", "with the settings that enter its formulas"},
                {"set", "", "rounded up to three digits and to the engine's steps, within its limits"},
@@ -95,16 +106,9 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
                           share(each.measured, &BiasCell::mae), share(each.measured, &BiasCell::acne),
                           share(each.by_default, &BiasCell::mae)});
   }
-  return {"In the numbers of engines: " + what, std::move(table)};
-}
-
-void add_notes(std::vector<std::string>& notes, const std::vector<EngineAdvice>& engines) {
-  for (const EngineAdvice& each : engines) {
-    if (!each.why_not_measured.empty()) {
-      notes.push_back(fmt::format("{}: {}", each.target.spec.engine->name, each.why_not_measured));
-    }
-    for (std::string& note : notes_with_offset(each)) notes.push_back(std::move(note));
-  }
+  ReportTable engine_numbers{"In the numbers of engines: " + what, std::move(table)};
+  engine_numbers.remarks = remarks_on(engines);
+  return engine_numbers;
 }
 
 }  // namespace
@@ -113,19 +117,17 @@ void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& en
   if (engines.empty()) return;
   for (std::string& line : engine_lines(engines, what)) presentation.lines.push_back(std::move(line));
   presentation.section.tables.push_back(engine_table(engines, what));
-  add_notes(presentation.engine_notes, engines);
 }
 
-void place_engine_notes(std::vector<Presentation>& parts) {
-  std::set<std::string> said_in_lines, said_in_texts;
+void say_engine_notes_once(std::vector<Presentation>& parts) {
+  std::set<std::string> said_in_lines, said_below;
   for (Presentation& part : parts) {
     std::erase_if(part.lines, [&](const std::string& line) {
       return line.starts_with(note_mark) && !said_in_lines.insert(line).second;
     });
-    for (const std::string& note : part.engine_notes) {
-      if (said_in_texts.insert(note).second) part.section.text += "\n\n" + note + ".";
+    for (ReportTable& table : part.section.tables) {
+      std::erase_if(table.remarks, [&](const std::string& remark) { return !said_below.insert(remark).second; });
     }
-    part.engine_notes.clear();
   }
 }
 

@@ -74,11 +74,25 @@ std::string intervals_text(const GateCheck& check) {
   return is_judged(check) && std::isfinite(check.intervals) ? with_sign(fmt::format("{:.1f}", check.intervals)) : "—";
 }
 
+// One row for each check; one for all of a scene that no run shows.
 std::vector<std::vector<std::string>> rows_of(const std::vector<GateCheck>& checks, bool all) {
+  std::set<std::string> seen, told;
+  for (const GateCheck& check : checks) {
+    if (check.measured || check.budget.scene.empty()) seen.insert(check.budget.scene);
+  }
   std::vector<std::vector<std::string>> rows;
   const bool names_run = has_several_runs(checks);
   for (const GateCheck& check : checks) {
     if (check.is_kept && !all) continue;
+    const std::string& scene = check.budget.scene;
+    const auto bounds = std::ranges::count(checks, scene, [](const GateCheck& each) { return each.budget.scene; });
+    if (!seen.contains(scene) && bounds > 1) {
+      rows.push_back(
+          {"FAILED", plain_text(scene), fmt::format("all {} bounds", bounds), "not measured", "—", "—", "—"});
+      seen.insert(scene);
+      told.insert(scene);
+    }
+    if (told.contains(scene)) continue;
     rows.push_back({check.is_kept ? "kept" : "FAILED", where_text(check, names_run), statistic_text(check),
                     measured_text(check), bound_text(check), excess_text(check), intervals_text(check)});
   }

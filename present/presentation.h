@@ -37,10 +37,9 @@ std::vector<CategoryColor> categories_of(Layer layer);
 struct Presentation {
   ReportSection section;
   std::vector<Figure> figures{};
-  std::vector<std::string> answers{};       ///< for the console, printed first: the main results
-  std::vector<std::string> lines{};         ///< for the console: further results
-  std::vector<std::string> details{};       ///< diagnostics: for the page's last section and --verbose
-  std::vector<std::string> engine_notes{};  ///< paragraphs about engines, which several parts may have in common
+  std::vector<std::string> answers{};  ///< for the console, printed first: the main results
+  std::vector<std::string> lines{};    ///< for the console: further results
+  std::vector<std::string> details{};  ///< diagnostics: for the page's last section and --verbose
 };
 
 /// The parts of a measurement, with pictures of those of its layers that are theirs.

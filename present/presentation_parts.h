@@ -65,12 +65,11 @@ nlohmann::ordered_json to_json(const SceneFacts& scene, const ShadowShape& shape
 /// Adds the tables and the figure to a light's section.
 void present_shape(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow);
 
-/// Adds lines for the console, a table and notes. `what` is that of which the bias is: "sun".
+/// Adds lines for the console and a table, both with notes. `what` is that of which the bias is: "sun".
 void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& engines, const std::string& what);
 
-/// Moves the notes about engines to the sections' texts. What an earlier part or engine says is left out, also of the
-/// console's lines.
-void place_engine_notes(std::vector<Presentation>& parts);
+/// Leaves out the notes about engines that an earlier part or engine has, in the console's lines and below tables.
+void say_engine_notes_once(std::vector<Presentation>& parts);
 
 /// "engines" of summary.json.
 nlohmann::ordered_json to_json(const std::vector<EngineAdvice>& engines);

@@ -172,7 +172,7 @@ RunPage present_run(const RunResults& results, const SweepResults* rows, const P
   } else {
     page.parts = measured_parts(results.scene, *results.measurement);
   }
-  place_engine_notes(page.parts);
+  say_engine_notes_once(page.parts);
   if (!options.with_figures) leave_out_figures(page);
   return page;
 }

@@ -15,7 +15,7 @@
 namespace umbrameter {
 namespace {
 
-std::string counted_text(const CountedPixels& counted, bool is_soft) {
+std::string counted_text(const CountedPixels& counted, bool is_soft, bool is_traced) {
   const auto total = [&](PixelExclusion c) { return counted.totals[static_cast<std::size_t>(c)]; };
   std::string text = fmt::format("{} counted pixels face {}the light and lie inside its map, cone and range.",
                                  grouped(total(PixelExclusion::none)), is_soft ? "part of " : "");
@@ -29,7 +29,12 @@ std::string counted_text(const CountedPixels& counted, bool is_soft) {
     text += fmt::format("{}{} {}", separator, grouped(total(exclusion)), name);
     separator = ", ";
   }
-  return separator[0] == ',' ? text + "." : text;
+  if (separator[0] == ',') text += ".";
+  if (is_traced) {
+    text +=
+        " Pixels and map are those of compare, but rays find the surface of a pixel here: a few at outlines differ.";
+  }
+  return text;
 }
 
 // What one light's shadow rays went to.
@@ -210,7 +215,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   Presentation presentation;
   ReportSection& section = presentation.section;
   section.title = "Shadow of " + title;
-  section.text = counted_text(shadow.counted, !std::holds_alternative<std::monostate>(shadow.emitter));
+  section.text = counted_text(shadow.counted, !std::holds_alternative<std::monostate>(shadow.emitter), !shadow.raster);
   if (shadow.truth) {
     add_layer_figure(presentation, layers, Layer::truth_visibility, layer, "Reference: " + title,
                      truth_caption(shadow));

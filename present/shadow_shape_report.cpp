@@ -136,7 +136,7 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};
   figure.series = "part";
-  figure.series_label = "cause";
+  figure.series_label = shape.components ? "cause" : "error";
   figure.series_colors = {class_colors().begin() + 1, class_colors().begin() + 5};  // the four causes
   figure.data.columns = {{"part", "", "part of the error"},
                          {"distance", "texels", "perpendicular to the light"},

@@ -6,12 +6,15 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "core/lists.h"
 #include "present/plot_axes.h"
 #include "present/presentation_parts.h"
 #include "results/known_statistics.h"
+#include "techniques/ao/read_parameters.h"
+#include "techniques/shadow/read_parameters.h"
 
 namespace umbrameter {
 namespace {
@@ -192,12 +195,26 @@ std::vector<std::size_t> listed_axes(const SweepResults& sweep) {
   return axes;
 }
 
-// The values of the axes, as the answers have them; sweep.csv has all digits.
-std::string row_text(const std::vector<SweepAxis>& axes, const std::vector<Value>& row) {
+// Whether a parameter of these, "shadow.filter-size", changes nothing in a cell, because its filter does not read it.
+template <class Params>
+bool is_unread(const SweepResults& sweep, const std::vector<Value>& row, const std::string& key) {
+  Params params;
+  const Parameters own = describe(params);
+  if (find(own, key) == nullptr) return false;
+  for (const Parameter& parameter : own) parameter.set(require(sweep.parameters, parameter.key).value());
+  for (std::size_t a = 0; a < sweep.plan.axes.size(); ++a) {
+    if (find(own, sweep.plan.axes[a].key) != nullptr) set_value(own, sweep.plan.axes[a], row[a]);
+  }
+  return find(read_parameters(params), key) == nullptr;
+}
+
+// The values of those axes that a cell reads, as the answers have them; sweep.csv has all, with all digits.
+std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes) {
   std::string text;
-  for (std::size_t a = 0; a < axes.size(); ++a) {
-    const SweepAxis& axis = axes[a];
-    text += (a > 0 ? ", " : "") + axis.key + " ";
+  for (const std::size_t a : axes) {
+    const SweepAxis& axis = sweep.plan.axes[a];
+    if (is_unread<ShadowParams>(sweep, row, axis.key) || is_unread<AoParams>(sweep, row, axis.key)) continue;
+    text += (text.empty() ? "" : ", ") + axis.key + " ";
     const auto* number = std::get_if<double>(&row[a]);
     std::vector<double> values;
     for (const Value& value : axis.values) {
@@ -284,7 +301,9 @@ Table best_rows(const SweepResults& sweep) {
 }
 
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {
-  return row_text(sweep.plan.axes, row);
+  std::vector<std::size_t> axes(sweep.plan.axes.size());
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
+  return row_text(sweep, row, axes);
 }
 
 std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best) {
@@ -310,7 +329,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   const bool is_flat = sweep.plan.cells > 1 && are_all_equal(sweep);
   if (is_flat) presentation.answers.push_back(equal_cells_text(sweep, error));
   const char* headline = open_ends.empty() ? "least mean absolute error" : "least mean absolute error tested";
-  section.headlines = {{headline, error, row_text(sweep.plan.axes, least)},
+  section.headlines = {{headline, error, cell_text(sweep, least)},
                        {"cells", std::to_string(sweep.plan.cells), "one row each in sweep.csv"}};
   const std::vector<std::string> warnings = to_lines(open_ends);
   const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);
@@ -344,7 +363,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     present_bias(presentation, *curves);
   } else {
     presentation.answers.push_back(
-        fmt::format("least error {} at {}{}", error, row_text(sweep.plan.axes, least),
+        fmt::format("least error {} at {}{}", error, cell_text(sweep, least),
                     sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
     if (is_ao) {
       const double mean_truth = to_number(least[column_index(best, "mean_truth")]);
@@ -358,14 +377,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   for (const std::vector<Value>& row : best.rows) {
     if (presentation.lines.size() > 8) break;
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
-    std::vector<SweepAxis> listed;
-    std::vector<Value> values;
-    for (const std::size_t a : listed_axes(sweep)) {
-      listed.push_back(sweep.plan.axes[a]);
-      values.push_back(row[a]);
-    }
-    presentation.lines.push_back(fmt::format("  of {}: least error {} at {}", row_text(listed, values),
-                                             error_text(best, row), row_text(sweep.plan.axes, row)));
+    presentation.lines.push_back(fmt::format("  of {}: least error {} at {}", row_text(sweep, row, listed_axes(sweep)),
+                                             error_text(best, row), cell_text(sweep, row)));
   }
   return presentation;
 }

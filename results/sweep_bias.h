@@ -24,6 +24,7 @@ struct BiasCurve {
   std::vector<Value> others;  ///< values of the other axes
   BiasOptima optima;
   double depth_unit = 0.0;               ///< mean_depth_unit()
+  bool texels_differ = false;            ///< as in BiasAdvice
   BiasFacts facts{};                     ///< known if there are other axes
   std::size_t first_cell = 0;            ///< of the sweep: the one with the first value of each bias
   std::optional<BiasPlateau> plateau{};  ///< along the constant bias, at the slope-scaled bias of least error

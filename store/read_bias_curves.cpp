@@ -64,6 +64,7 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const MeasureBiasContex
       const BiasContext context = measure ? measure(values_at(plan, at), needs_facts) : BiasContext{};
       curve.evidence = context.evidence.value_or(evidence_of(statistics));
       curve.depth_unit = context.depth_unit;
+      curve.texels_differ = context.texels_differ;
       curve.facts = context.facts;
     }
     const InnerAxis& constant = plan.constant_bias;

@@ -14,6 +14,7 @@ namespace umbrameter {
 /// What the bias depends on besides the rows, at one combination of the axes other than biases.
 struct BiasContext {
   double depth_unit = 0.0;                 ///< mean_depth_unit()
+  bool texels_differ = false;              ///< as in BiasAdvice
   BiasFacts facts{};                       ///< measure_bias_facts()
   std::optional<BiasEvidence> evidence{};  ///< measure_bias_evidence(); nothing: what the rows say
 };

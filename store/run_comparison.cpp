@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <set>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "results/known_statistics.h"
 
 namespace umbrameter {
@@ -86,6 +89,19 @@ std::string with_unit(const Parameters& parameters, const std::string& key, cons
   return unit.empty() || unit == "1" ? value : value + " " + unit;
 }
 
+// Six digits of each number, unless some differ only in later ones.
+std::vector<std::string> shortened(const std::vector<std::string>& values) {
+  std::vector<std::string> texts;
+  for (const std::string& value : values) {
+    double number = 0.0;
+    const char* end = value.data() + value.size();
+    const bool is_number = std::from_chars(value.data(), end, number).ptr == end && !value.empty();
+    texts.push_back(is_number && value.size() > 7 ? fmt::format("{:.6g}", number) : value);
+  }
+  const auto count = [](const std::vector<std::string>& of) { return std::set(of.begin(), of.end()).size(); };
+  return count(texts) == count(values) ? texts : values;
+}
+
 }  // namespace
 
 Estimate estimate_of(const ComparedValue& value) {
@@ -158,7 +174,9 @@ Table differing_parameters(const std::vector<StoredRun>& runs) {
   }
   for (const std::string& key : keys) {
     std::vector<Value> row = {key};
-    for (const StoredRun& run : runs) row.emplace_back(with_unit(parameters, key, value_of(run.parameters, key)));
+    const std::vector<std::string> values =
+        mapped(runs, [&](const StoredRun& run) { return value_of(run.parameters, key); });
+    for (const std::string& value : shortened(values)) row.emplace_back(with_unit(parameters, key, value));
     if (std::any_of(row.begin() + 2, row.end(), [&](const Value& value) { return value != row[1]; })) {
       table.rows.push_back(std::move(row));
     }

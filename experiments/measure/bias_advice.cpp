@@ -146,7 +146,7 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
   advice.unit = used.unit;
   advice.mean_texel = counted->mean_texel;
   const auto layout = stages.layout(experiment, light);
-  advice.texels_differ = !has_equal_texels(*layout) || layout->views.size() > 1;
+  advice.texels_differ = texels_differ(*layout);
   advice.depth_unit = mean_depth_unit(stages, experiment, light);
   const double texel = used.unit == LengthUnit::texels      ? 1.0
                        : used.unit == LengthUnit::map_depth ? advice.mean_texel / advice.depth_unit

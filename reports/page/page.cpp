@@ -82,7 +82,8 @@ bool is_set_right(const Table& table, std::size_t column) {
 }
 
 // Caption, columns and the texts of the first rows. Null for a table without columns.
-Json table_data(const Table& table, const std::string& caption, const std::vector<std::string>& below = {}) {
+Json table_data(const Table& table, const std::string& caption, const std::vector<std::string>& below = {},
+                const std::vector<std::string>& remarks = {}) {
   if (table.columns.empty()) return {};
   const std::size_t shown = std::min(table.rows.size(), max_rows);
   const std::string rest =
@@ -101,7 +102,7 @@ Json table_data(const Table& table, const std::string& caption, const std::vecto
       row.push_back(c < table.rows[r].size() ? cell_text(table.rows[r][c]) : std::string());
     }
   }
-  return {{"caption", caption + rest}, {"columns", columns}, {"rows", rows}};
+  return {{"caption", caption + rest}, {"columns", columns}, {"rows", rows}, {"remarks", remarks}};
 }
 
 // The cell's text within an object whose one member is its kind.
@@ -257,9 +258,9 @@ Json figures_data(const fs::path& folder, const ReportSection& section, const st
 Json section_data(const fs::path& folder, const ReportSection& section, const std::set<std::string>& layers,
                   Numbers& numbers) {
   Json tables = Json::array();
-  for (const auto& [title, table, below] : section.tables) {
+  for (const auto& [title, table, below, remarks] : section.tables) {
     if (table.columns.empty()) continue;
-    tables.push_back(table_data(table, fmt::format("Table {}. {}", ++numbers.tables, title), below));
+    tables.push_back(table_data(table, fmt::format("Table {}. {}", ++numbers.tables, title), below, remarks));
   }
   return {{"anchor", fmt::format("section-{}", ++numbers.sections)},
           {"title", section.title},

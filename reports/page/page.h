@@ -24,7 +24,8 @@ struct Headline {
 struct ReportTable {
   std::string title;  ///< "Error by object"
   Table table;
-  std::vector<std::string> below{};  ///< columns that are shown in smaller type below the one before them
+  std::vector<std::string> below{};    ///< columns that are shown in smaller type below the one before them
+  std::vector<std::string> remarks{};  ///< paragraphs below the table
 };
 
 /// A share of a bar that shows how far something is; the kind decides its colour: "done", "running", "failed".

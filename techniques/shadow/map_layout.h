@@ -140,6 +140,8 @@ void require_bias_unit(const MapLayout& layout, LengthUnit unit);
 
 /// Whether all texels of a view have one size.
 inline bool has_equal_texels(const MapLayout& layout) { return layout.kind == MapKind::orthographic && !layout.warp; }
+/// Whether the size of a texel differs from pixel to pixel, so that texels are metres only on average.
+inline bool texels_differ(const MapLayout& layout) { return !has_equal_texels(layout) || layout.views.size() > 1; }
 
 /// Side length of a texel at a world position, metres, without blending; of a warped map its longer side.
 double texel_at(const MapLayout& layout, const dvec3& position);
