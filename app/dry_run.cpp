@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "app/print_json.h"
 #include "core/lists.h"
-#include "core/standard_streams.h"
 #include "experiments/settings/shard_cuts.h"
 #include "reports/files/text_layout.h"
 #include "scenes/view.h"
@@ -44,8 +42,7 @@ ExitCode show(const Console& console, const std::vector<Row>& rows) {
     print_line(console, fmt::format("{:<10} {}", key, text));
     json[key] = text;
   }
-  // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
-  if (console.json) write_to(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  print_json(console, json);
   return ExitCode::ok;
 }
 

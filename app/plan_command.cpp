@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/dry_run.h"
 #include "app/plan_folder.h"
 #include "app/plan_tune.h"
 #include "app/planned_sweep.h"
+#include "app/print_json.h"
 #include "app/tune_job.h"
 #include "core/standard_streams.h"
 #include "experiments/settings/shard_cuts.h"
@@ -71,12 +71,12 @@ void show_plan(const Console& console, const fs::path& folder, const ShardPlan& 
   }
   const double starts = start * static_cast<double>(cuts.seconds.size() - 1);
   const double repeated = std::max(0.0, all - cuts.undivided - starts);
-  if (console.json) {
-    const nlohmann::ordered_json json = {{"cells", plan.cells},     {"shards", plan.shards.size()},
-                                         {"seconds", all},          {"longest_seconds", longest},
-                                         {"start_seconds", starts}, {"repeated_seconds", repeated}};
-    write_to(stdout, json.dump(2) + "\n");
-  }
+  print_json(console, {{"cells", plan.cells},
+                       {"shards", plan.shards.size()},
+                       {"seconds", all},
+                       {"longest_seconds", longest},
+                       {"start_seconds", starts},
+                       {"repeated_seconds", repeated}});
   // With a decimal, so that the parts add up to the whole.
   const auto time = [](double seconds) {
     return seconds < 10.0 ? fmt::format("{:.1f} s", seconds) : time_text(seconds);

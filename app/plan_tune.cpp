@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/plan_folder.h"
 #include "app/planned_tune.h"
+#include "app/print_json.h"
 #include "core/standard_streams.h"
 #include "experiments/settings/sweep_costs.h"
 #include "experiments/stages/work_clock.h"
@@ -100,14 +100,11 @@ void show_plan(const Console& console, const fs::path& folder, const ShardPlan& 
   const std::size_t points = tuning.rounds.back().points.size();
   double longest = 0.0;
   for (const double seconds : cuts.seconds) longest = std::max(longest, seconds);
-  if (console.json) {
-    const nlohmann::ordered_json json = {{"round", 1},
-                                         {"points", points},
-                                         {"cases", tuning.cases},
-                                         {"shards", plan.shards.size()},
-                                         {"longest_seconds", longest}};
-    write_to(stdout, json.dump(2) + "\n");
-  }
+  print_json(console, {{"round", 1},
+                       {"points", points},
+                       {"cases", tuning.cases},
+                       {"shards", plan.shards.size()},
+                       {"longest_seconds", longest}});
   print_line(console,
              fmt::format("round 1: {} points of {} case{} in {} shards of at most about {}", points, tuning.cases,
                          tuning.cases == 1 ? "" : "s", plan.shards.size(), time_text(std::ceil(longest))));

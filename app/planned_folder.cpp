@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "app/print_json.h"
 #include "app/tune_job.h"
 #include "core/standard_streams.h"
 #include "reports/files/text_layout.h"
@@ -52,11 +52,7 @@ PlannedFolder open_plan(const CommandLine& line) {
 void show_shards(const Console& console, const PlannedFolder& planned, const std::vector<std::size_t>& shards,
                  const std::vector<std::string>& problems) {
   for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + problem + "\n");
-  if (console.json) {
-    const nlohmann::ordered_json json = {{"missing", shards}, {"problems", problems}};
-    write_to(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    return;
-  }
+  print_json(console, {{"missing", shards}, {"problems", problems}});
   const std::string list = shards_text(shards);
   std::string numbers;
   for (const std::size_t shard : shards) numbers += " " + std::to_string(shard);

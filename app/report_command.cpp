@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "app/commands.h"
+#include "app/print_json.h"
 #include "core/lists.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
@@ -248,16 +248,7 @@ void write_tables(const CommandLine& line, const Console& console, const RunFold
   const Table rows = comparison_rows(comparison.runs, comparison.statistics);
   write_text(folder.path() / "comparison.csv", to_csv(rows));
   if (line.report.latex) write_latex(folder.path(), comparison.parts);
-  if (!console.json) return;
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const auto& row : rows.rows) {
-    nlohmann::ordered_json object;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      std::visit([&](const auto& value) { object[rows.columns[c].name] = value; }, row[c]);
-    }
-    json.push_back(std::move(object));
-  }
-  write_to(stdout, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  print_json(console, rows_json(rows));
 }
 
 ExitCode finish(RunFolder& folder, const Console& console, const std::vector<std::string>& problems) {
