@@ -78,7 +78,8 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
   return show(console, rows);
 }
 
-SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep) {
+SweepCosts measure_costs(SweepRun& sweep) {
+  Stages& stages = *sweep.stages;
   const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
   const WorkClock work = stages.work_clock();
   const double begin = clock_seconds();
@@ -92,7 +93,8 @@ SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep) {
   return costs;
 }
 
-ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep) {
+ExitCode show_sweep_plan(const Console& console, SweepRun& sweep) {
+  Stages& stages = *sweep.stages;
   const SweepPlan& plan = sweep.plan;
   std::vector<Row> rows = {scene_row(stages, sweep.experiment), view_row(console, stages, sweep.experiment.view)};
   const SweptQuantity quantity = quantity_of(sweep.statistics);
@@ -113,7 +115,7 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
                                           is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)
                                               ? "one pass measures all cells of a group"
                                               : "each cell is measured separately"));
-  const SweepCosts costs = measure_costs(stages, sweep);
+  const SweepCosts costs = measure_costs(sweep);
   const double seconds = GroupCosts(costs, plan).seconds(0, groups);
   const std::string time = seconds < 1.0 ? "less than 1 s" : "about " + time_text(seconds);
   rows.emplace_back(

@@ -1,5 +1,3 @@
-#include "app/plan_tune.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -98,8 +96,7 @@ TuneOptions store_scenes(const CommandLine& line, const TuneJob& job, ShardPlan&
 void show_plan(const Console& console, const fs::path& folder, const ShardPlan& plan, const ShardCuts& cuts) {
   const PlannedTuning& tuning = *plan.tuning;
   const std::size_t points = tuning.rounds.back().points.size();
-  double longest = 0.0;
-  for (const double seconds : cuts.seconds) longest = std::max(longest, seconds);
+  const double longest = std::ranges::max(cuts.seconds);
   print_json(console, {{"round", 1},
                        {"points", points},
                        {"cases", tuning.cases},
