@@ -13,11 +13,10 @@
 #include "core/parallel.h"
 #include "core/standard_streams.h"
 #include "present/presentation_parts.h"
-#include "present/run_page.h"
+#include "present/run_output.h"
 #include "present/runs_report.h"
 #include "reports/files/data.h"
 #include "reports/files/latex.h"
-#include "reports/files/markup.h"
 #include "reports/files/output.h"
 #include "store/finished_sweep.h"
 #include "store/run_folder.h"
@@ -251,13 +250,6 @@ void write_tables(const CommandLine& line, const Console& console, const RunFold
   print_json(console, rows_json(rows));
 }
 
-ExitCode finish(RunFolder& folder, const Console& console, const std::vector<std::string>& problems) {
-  add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));
-  folder.finish(problems.empty());
-  for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
-  return problems.empty() ? ExitCode::ok : ExitCode::partial;
-}
-
 // The page and the figures of one run again, as the run itself made them, with copies of the files to which it links.
 ExitCode show_again(const CommandLine& line, const Console& console, const RunResults& results) {
   PageOptions options{make_figure_style(line.figures), !line.no_figures};
@@ -286,7 +278,7 @@ ExitCode show_again(const CommandLine& line, const Console& console, const RunRe
   const std::vector<std::string> problems = draw_figures(folder.path(), console, results, page, options);
   write_run_page(folder.path(), results, rows_or_none, page, problems, options);
   if (has_statistics) write_tables(line, console, folder, comparison);
-  return finish(folder, console, problems);
+  return finish_run(folder, console, problems);
 }
 
 ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
@@ -317,7 +309,7 @@ ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
   }
   write_tables(line, console, folder, comparison);
   write_page(folder.path(), report);
-  return finish(folder, console, problems);
+  return finish_run(folder, console, problems);
 }
 
 }  // namespace
