@@ -7,7 +7,7 @@
 #include "app/print_json.h"
 #include "app/tune_job.h"
 #include "core/standard_streams.h"
-#include "reports/files/text_layout.h"
+#include "reports/files/markup.h"
 #include "store/experiment_file.h"
 
 namespace umbrameter {
@@ -81,9 +81,7 @@ std::string shell_word(const fs::path& file) {
            std::string_view("_-./+:,@%").find(c) != std::string_view::npos;
   };
   if (!path.empty() && std::ranges::all_of(path, is_plain)) return path;
-  std::string quoted = "'";
-  for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+  return "'" + replace_all(path, "'", "'\\''") + "'";
 }
 
 std::string command_of(const fs::path& folder, const std::string& shards) {
