@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "core/standard_streams.h"
+#include "app/print_json.h"
 #include "experiments/stages/reference_cache.h"
 #include "reports/files/text_layout.h"
 
@@ -47,14 +46,10 @@ std::vector<std::string> to_row(const CacheListing& listing) {
 ExitCode clear(const CacheFolder& folder, const Console& console) {
   const ClearedCache cleared = clear_entries(folder);
   print_line(console, fmt::format("{} references removed, {}", cleared.entries, bytes_text(cleared.bytes)));
-  if (console.json) {
-    write_to(stdout, Json{{"folder", folder.path.string()},
-                          {"removed", cleared.entries},
-                          {"removed_bytes", cleared.bytes},
-                          {"left", cleared.left}}
-                             .dump(2, ' ', false, Json::error_handler_t::replace) +
-                         "\n");
-  }
+  print_json(console, {{"folder", folder.path.string()},
+                       {"removed", cleared.entries},
+                       {"removed_bytes", cleared.bytes},
+                       {"left", cleared.left}});
   if (cleared.left == 0) return ExitCode::ok;
   throw Error(ExitCode::partial, folder.path.string(), fmt::format("{} references cannot be removed", cleared.left),
               "check the folder's permissions");
@@ -65,7 +60,7 @@ ExitCode clear(const CacheFolder& folder, const Console& console) {
 ExitCode run_cache(const CommandLine& line, const Console& console) {
   const std::optional<CacheFolder> folder = user_cache(console);
   if (!folder) {
-    if (console.json) write_to(stdout, Json{{"folder", nullptr}, {"entries", Json::array()}}.dump(2) + "\n");
+    print_json(console, {{"folder", nullptr}, {"entries", Json::array()}});
     return ExitCode::ok;
   }
   if (line.clear) return clear(*folder, console);
@@ -82,11 +77,9 @@ ExitCode run_cache(const CommandLine& line, const Console& console) {
   }
   print_line(console, fmt::format("{}: {} references, {} of {}", folder->path.string(), entries.size(),
                                   bytes_text(total), bytes_text(folder->limit)));
-  if (console.json) {
-    const Json json = {
-        {"folder", folder->path.string()}, {"bytes", total}, {"limit_bytes", folder->limit}, {"entries", entries}};
-    write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  }
+  print_json(
+      console,
+      {{"folder", folder->path.string()}, {"bytes", total}, {"limit_bytes", folder->limit}, {"entries", entries}});
   return ExitCode::ok;
 }
 

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "core/standard_streams.h"
+#include "app/print_json.h"
 #include "present/gate_report.h"
 #include "reports/files/output.h"
 #include "store/gate.h"
@@ -38,8 +37,7 @@ ExitCode update(const CheckOptions& options, const std::vector<MeasuredStatistic
     note(console, kept == 1 ? "1 bound names nothing in these runs and was left as it is"
                             : fmt::format("{} bounds name nothing in these runs and were left as they are", kept));
   }
-  if (console.json)
-    write_to(stdout, nlohmann::ordered_json({{"bounds", budget.size()}, {"unchanged", kept}}).dump(2) + "\n");
+  print_json(console, {{"bounds", budget.size()}, {"unchanged", kept}});
   return ExitCode::ok;
 }
 
@@ -74,8 +72,7 @@ ExitCode run_check(const CommandLine& line, const Console& console) {
     // Several steps write to one file.
     write_text(options.summary, text_of_file(options.summary).value_or("") + gate_markdown(checks));
   }
-  if (console.json)
-    write_to(stdout, to_json(checks).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  print_json(console, to_json(checks));
   return code;
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/command_help.h"
 #include "core/lists.h"
+#include "reports/files/markup.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {
@@ -51,11 +52,7 @@ const OptionHelp* positional_of(const CommandHelp& command) {
 }
 
 // For a word in single quotes, in bash and zsh.
-std::string shell_quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
-  return result + "'";
-}
+std::string shell_quoted(const std::string& text) { return "'" + replace_all(text, "'", "'\\''") + "'"; }
 
 std::string fish_quoted(const std::string& text) {
   std::string result = "'";

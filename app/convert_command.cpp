@@ -1,9 +1,8 @@
 // umbrameter convert: a shadow bias of one engine in the numbers of others, for the map of a scene's light.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands.h"
+#include "app/print_json.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
 #include "present/bias_conversion.h"
@@ -67,12 +66,9 @@ ExitCode run_convert(const CommandLine& line, const Console& console) {
   print_line(console, map);
   for (const std::string& text : to_lines(bias)) print_line(console, text);
   for (const std::string& text : conversion_notes(bias)) note(console, text);
-  if (console.json) {
-    Json json{{"scene", experiment.scene}, {"light", stages.title(light)}, {"resolution", layout.resolution}};
-    json.update(to_json(bias));
-    // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
-    write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  }
+  Json json{{"scene", experiment.scene}, {"light", stages.title(light)}, {"resolution", layout.resolution}};
+  json.update(to_json(bias));
+  print_json(console, json);
   return ExitCode::ok;
 }
 

@@ -2,15 +2,14 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "app/commands.h"
+#include "app/print_json.h"
 #include "compare/alignment.h"
 #include "compare/metrics/color_metric.h"
 #include "core/lists.h"
-#include "core/standard_streams.h"
 #include "reports/figures/figures.h"
 #include "reports/files/image_file.h"
 #include "reports/files/text_layout.h"
@@ -300,7 +299,7 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
     json["map"] = {{"file", line.output.string()}, {"metric", metric->name}, {"first", 0.0}, {"last", 1.0}};
     add_line(console, fmt::format("{}: map of {}, dark is 0, bright is 1", line.output.string(), metric->name));
   }
-  if (console.json) write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  print_json(console, json);
   return diff.exit_code && !is_equal ? ExitCode::check_failed : ExitCode::ok;
 }
 

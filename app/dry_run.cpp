@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "app/print_json.h"
 #include "core/lists.h"
-#include "core/standard_streams.h"
 #include "experiments/settings/shard_cuts.h"
 #include "reports/files/text_layout.h"
 #include "scenes/view.h"
@@ -44,8 +42,7 @@ ExitCode show(const Console& console, const std::vector<Row>& rows) {
     print_line(console, fmt::format("{:<10} {}", key, text));
     json[key] = text;
   }
-  // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
-  if (console.json) write_to(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  print_json(console, json);
   return ExitCode::ok;
 }
 
@@ -81,7 +78,8 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
   return show(console, rows);
 }
 
-SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep) {
+SweepCosts measure_costs(SweepRun& sweep) {
+  Stages& stages = *sweep.stages;
   const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
   const WorkClock work = stages.work_clock();
   const double begin = clock_seconds();
@@ -95,7 +93,8 @@ SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep) {
   return costs;
 }
 
-ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep) {
+ExitCode show_sweep_plan(const Console& console, SweepRun& sweep) {
+  Stages& stages = *sweep.stages;
   const SweepPlan& plan = sweep.plan;
   std::vector<Row> rows = {scene_row(stages, sweep.experiment), view_row(console, stages, sweep.experiment.view)};
   const SweptQuantity quantity = quantity_of(sweep.statistics);
@@ -116,7 +115,7 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
                                           is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)
                                               ? "one pass measures all cells of a group"
                                               : "each cell is measured separately"));
-  const SweepCosts costs = measure_costs(stages, sweep);
+  const SweepCosts costs = measure_costs(sweep);
   const double seconds = GroupCosts(costs, plan).seconds(0, groups);
   const std::string time = seconds < 1.0 ? "less than 1 s" : "about " + time_text(seconds);
   rows.emplace_back(

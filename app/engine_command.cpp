@@ -1,11 +1,9 @@
 // umbrameter engine: lists the engines, holds an adapter against the protocol, and serves our own rasteriser as one.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands.h"
+#include "app/print_json.h"
 #include "core/parallel.h"
-#include "core/standard_streams.h"
 #include "experiments/engine/conformance.h"
 #include "experiments/engine/engine.h"
 #include "experiments/serve/own_adapter.h"
@@ -27,7 +25,7 @@ ExitCode list_engines(const Console& console) {
   add_line(console,
            "Measure one: umbrameter compare courtyard --engine NAME -o out; or any command that speaks the "
            "engine protocol: --engine 'COMMAND ...'");
-  if (console.json) write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  print_json(console, json);
   return ExitCode::ok;
 }
 
@@ -43,7 +41,7 @@ ExitCode check_engine(const CommandLine& line, const Console& console) {
                                     check.problem.empty() ? "" : ": " + check.problem));
     json.push_back({{"check", check.title}, {"problem", check.problem}});
   }
-  if (console.json) write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  print_json(console, json);
   return is_fine ? ExitCode::ok : ExitCode::check_failed;
 }
 

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/commands.h"
-#include "core/standard_streams.h"
+#include "app/print_json.h"
 #include "experiments/measure/scene_report.h"
 #include "present/scene_report.h"
 #include "raster/gl/context.h"
@@ -79,8 +78,7 @@ ExitCode run_info(const CommandLine& line, const Console& console) {
     json["gl_devices"] = devices_json();
     say_devices(console, json["gl_devices"]);
   }
-  // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
-  if (console.json) write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  print_json(console, json);
   return ExitCode::ok;
 }
 

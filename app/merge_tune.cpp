@@ -43,7 +43,7 @@ KnownPoints points_of(const ScratchRows& rows, const std::vector<PlannedCell>& c
   // One more for the points around the best one.
   const bool is_last = next.points.front().kind == TuneQuery::Kind::scan;
   const std::size_t more =
-      is_last ? 0 : (next.limit - std::min(next.limit, next.searched) + next.points.size() - 1) / next.points.size();
+      is_last ? 0 : divide_up(next.limit - std::min(next.limit, next.searched), next.points.size());
   print_line(console,
              fmt::format("round {} of about {}: {} in {}; {} of at most {} evaluations are "
                          "done, which needed {} of the {} measured points",

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/dry_run.h"
 #include "app/plan_folder.h"
-#include "app/plan_tune.h"
 #include "app/planned_sweep.h"
+#include "app/print_json.h"
 #include "app/tune_job.h"
 #include "core/standard_streams.h"
 #include "experiments/settings/shard_cuts.h"
@@ -45,7 +45,7 @@ void require_options_of_sweep(const CommandLine& line) {
 
 std::size_t count_shards(const PlanOptions& options, const SweepCosts& costs, const SweepPlan& plan) {
   if (options.shards > 0) return options.shards;
-  if (options.cells_per_shard > 0) return (plan.cells + options.cells_per_shard - 1) / options.cells_per_shard;
+  if (options.cells_per_shard > 0) return divide_up(plan.cells, options.cells_per_shard);
   return count_shards_within(costs, plan, 60.0 * options.minutes_per_shard);
 }
 
@@ -56,27 +56,23 @@ SweepCosts costs_of(SweepRun& sweep, StoreDescription& description, const Consol
   sweep.load(console);
   description = sweep.description();
   const double loading = clock_seconds() - start;
-  SweepCosts costs = measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics});
+  SweepCosts costs = measure_costs(sweep);
   costs.start_seconds += loading;
   return costs;
 }
 
 void show_plan(const Console& console, const fs::path& folder, const ShardPlan& plan, const ShardCuts& cuts,
                double start) {
-  double all = 0.0;
-  double longest = 0.0;
-  for (const double seconds : cuts.seconds) {
-    all += seconds;
-    longest = std::max(longest, seconds);
-  }
+  const double all = std::accumulate(cuts.seconds.begin(), cuts.seconds.end(), 0.0);
+  const double longest = std::ranges::max(cuts.seconds);
   const double starts = start * static_cast<double>(cuts.seconds.size() - 1);
   const double repeated = std::max(0.0, all - cuts.undivided - starts);
-  if (console.json) {
-    const nlohmann::ordered_json json = {{"cells", plan.cells},     {"shards", plan.shards.size()},
-                                         {"seconds", all},          {"longest_seconds", longest},
-                                         {"start_seconds", starts}, {"repeated_seconds", repeated}};
-    write_to(stdout, json.dump(2) + "\n");
-  }
+  print_json(console, {{"cells", plan.cells},
+                       {"shards", plan.shards.size()},
+                       {"seconds", all},
+                       {"longest_seconds", longest},
+                       {"start_seconds", starts},
+                       {"repeated_seconds", repeated}});
   // With a decimal, so that the parts add up to the whole.
   const auto time = [](double seconds) {
     return seconds < 10.0 ? fmt::format("{:.1f} s", seconds) : time_text(seconds);

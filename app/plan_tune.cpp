@@ -1,15 +1,13 @@
-#include "app/plan_tune.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/plan_folder.h"
 #include "app/planned_tune.h"
+#include "app/print_json.h"
 #include "core/standard_streams.h"
 #include "experiments/settings/sweep_costs.h"
 #include "experiments/stages/work_clock.h"
@@ -98,16 +96,12 @@ TuneOptions store_scenes(const CommandLine& line, const TuneJob& job, ShardPlan&
 void show_plan(const Console& console, const fs::path& folder, const ShardPlan& plan, const ShardCuts& cuts) {
   const PlannedTuning& tuning = *plan.tuning;
   const std::size_t points = tuning.rounds.back().points.size();
-  double longest = 0.0;
-  for (const double seconds : cuts.seconds) longest = std::max(longest, seconds);
-  if (console.json) {
-    const nlohmann::ordered_json json = {{"round", 1},
-                                         {"points", points},
-                                         {"cases", tuning.cases},
-                                         {"shards", plan.shards.size()},
-                                         {"longest_seconds", longest}};
-    write_to(stdout, json.dump(2) + "\n");
-  }
+  const double longest = std::ranges::max(cuts.seconds);
+  print_json(console, {{"round", 1},
+                       {"points", points},
+                       {"cases", tuning.cases},
+                       {"shards", plan.shards.size()},
+                       {"longest_seconds", longest}});
   print_line(console,
              fmt::format("round 1: {} points of {} case{} in {} shards of at most about {}", points, tuning.cases,
                          tuning.cases == 1 ? "" : "s", plan.shards.size(), time_text(std::ceil(longest))));

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "app/print_json.h"
 #include "app/tune_job.h"
 #include "core/standard_streams.h"
-#include "reports/files/text_layout.h"
+#include "reports/files/markup.h"
 #include "store/experiment_file.h"
 
 namespace umbrameter {
@@ -52,11 +52,7 @@ PlannedFolder open_plan(const CommandLine& line) {
 void show_shards(const Console& console, const PlannedFolder& planned, const std::vector<std::size_t>& shards,
                  const std::vector<std::string>& problems) {
   for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + problem + "\n");
-  if (console.json) {
-    const nlohmann::ordered_json json = {{"missing", shards}, {"problems", problems}};
-    write_to(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    return;
-  }
+  print_json(console, {{"missing", shards}, {"problems", problems}});
   const std::string list = shards_text(shards);
   std::string numbers;
   for (const std::size_t shard : shards) numbers += " " + std::to_string(shard);
@@ -85,9 +81,7 @@ std::string shell_word(const fs::path& file) {
            std::string_view("_-./+:,@%").find(c) != std::string_view::npos;
   };
   if (!path.empty() && std::ranges::all_of(path, is_plain)) return path;
-  std::string quoted = "'";
-  for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+  return "'" + replace_all(path, "'", "'\\''") + "'";
 }
 
 std::string command_of(const fs::path& folder, const std::string& shards) {

@@ -41,6 +41,10 @@ struct ShardMeasurer {
 ShardMeasurer load_sweep_measurer(const PlannedFolder& planned, const Console& console);
 ShardMeasurer load_tune_measurer(const PlannedFolder& planned, const Console& console);
 
+/// Plans the first round of a tuning. The folder is free. Throws Error as `tune` does, and (usage) for what a divided
+/// tuning cannot do.
+ExitCode plan_tune(const CommandLine& line, const Console& console);
+
 /// Merges a tuning, or plans its next round. Throws Error (partial) where points are left to measure.
 ExitCode merge_tune(const PlannedFolder& planned, const CommandLine& line, const Console& console);
 

@@ -1,9 +1,8 @@
 // umbrameter presets: lists the engines' settings that --preset takes.
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "core/standard_streams.h"
+#include "app/print_json.h"
 #include "reports/files/text_layout.h"
 #include "store/preset.h"
 
@@ -40,7 +39,7 @@ ExitCode run_presets(const Console& console) {
       console,
       "Measure one: umbrameter compare courtyard --light sun --preset NAME -o out, with --light spot or lantern for "
       "those of spot and point lights, and --measure ao for those of ambient occlusion. Flags override a preset.");
-  if (console.json) write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  print_json(console, json);
   return ExitCode::ok;
 }
 

@@ -3,21 +3,20 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "app/commands.h"
+#include "app/print_json.h"
 #include "core/lists.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
 #include "present/presentation_parts.h"
-#include "present/run_page.h"
+#include "present/run_output.h"
 #include "present/runs_report.h"
 #include "reports/files/data.h"
 #include "reports/files/latex.h"
-#include "reports/files/markup.h"
 #include "reports/files/output.h"
 #include "store/finished_sweep.h"
 #include "store/run_folder.h"
@@ -248,23 +247,7 @@ void write_tables(const CommandLine& line, const Console& console, const RunFold
   const Table rows = comparison_rows(comparison.runs, comparison.statistics);
   write_text(folder.path() / "comparison.csv", to_csv(rows));
   if (line.report.latex) write_latex(folder.path(), comparison.parts);
-  if (!console.json) return;
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const auto& row : rows.rows) {
-    nlohmann::ordered_json object;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      std::visit([&](const auto& value) { object[rows.columns[c].name] = value; }, row[c]);
-    }
-    json.push_back(std::move(object));
-  }
-  write_to(stdout, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-}
-
-ExitCode finish(RunFolder& folder, const Console& console, const std::vector<std::string>& problems) {
-  add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));
-  folder.finish(problems.empty());
-  for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
-  return problems.empty() ? ExitCode::ok : ExitCode::partial;
+  print_json(console, rows_json(rows));
 }
 
 // The page and the figures of one run again, as the run itself made them, with copies of the files to which it links.
@@ -295,7 +278,7 @@ ExitCode show_again(const CommandLine& line, const Console& console, const RunRe
   const std::vector<std::string> problems = draw_figures(folder.path(), console, results, page, options);
   write_run_page(folder.path(), results, rows_or_none, page, problems, options);
   if (has_statistics) write_tables(line, console, folder, comparison);
-  return finish(folder, console, problems);
+  return finish_run(folder, console, problems);
 }
 
 ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
@@ -326,7 +309,7 @@ ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
   }
   write_tables(line, console, folder, comparison);
   write_page(folder.path(), report);
-  return finish(folder, console, problems);
+  return finish_run(folder, console, problems);
 }
 
 }  // namespace

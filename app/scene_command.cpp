@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/print_json.h"
 #include "core/standard_streams.h"
 #include "experiments/stages/byte_size.h"
 #include "reports/files/output.h"
@@ -44,11 +44,7 @@ ExitCode run_scene(const CommandLine& line, const Console& console) {
   write_text(line.output, {reinterpret_cast<const char*>(glb.data()), glb.size()});
   print_line(console, fmt::format("{}: {} triangles, {}", line.output.string(), grouped(count(scene).triangles),
                                   bytes_text(glb.size())));
-  if (console.json) {
-    const nlohmann::ordered_json json = {
-        {"file", line.output.string()}, {"bytes", glb.size()}, {"triangles", count(scene).triangles}};
-    write_to(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  }
+  print_json(console, {{"file", line.output.string()}, {"bytes", glb.size()}, {"triangles", count(scene).triangles}});
   return ExitCode::ok;
 }
 

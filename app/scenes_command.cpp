@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands.h"
+#include "app/print_json.h"
 #include "core/interrupt.h"
 #include "core/lists.h"
 #include "core/parallel.h"
@@ -167,11 +166,7 @@ ExitCode run_scenes(const CommandLine& line, const Console& console) {
   const std::vector<Chosen> scenes = choose(line.names);
   if (!line.sheet.empty()) {
     write_sheet(line, console, scenes);
-    if (console.json) {
-      write_to(stdout, Json{{"file", line.sheet.string()}, {"scenes", scenes.size()}}.dump(
-                           2, ' ', false, Json::error_handler_t::replace) +
-                           "\n");
-    }
+    print_json(console, {{"file", line.sheet.string()}, {"scenes", scenes.size()}});
     return ExitCode::ok;
   }
   if (!line.tile_size.empty()) {
@@ -185,11 +180,8 @@ ExitCode run_scenes(const CommandLine& line, const Console& console) {
     json.push_back(to_json(all.back()));
     if (!line.markdown) say_scene(console, all.back());
   }
-  if (console.json) {
-    write_to(stdout, json.dump(2) + "\n");
-  } else if (line.markdown) {
-    write_to(stdout, to_markdown(all));
-  }
+  print_json(console, json);
+  if (line.markdown && !console.json) write_to(stdout, to_markdown(all));
   return ExitCode::ok;
 }
 

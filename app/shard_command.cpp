@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/planned_folder.h"
-#include "core/standard_streams.h"
+#include "app/print_json.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
 #include "store/merge_shards.h"
@@ -93,7 +92,7 @@ ExitCode run_shards(const CommandLine& line, const Console& console) {
       throw;
     }
   }
-  if (console.json) write_to(stdout, nlohmann::ordered_json{{"measured", measured}}.dump(2) + "\n");
+  print_json(console, {{"measured", measured}});
   return ExitCode::ok;
 }
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <ctime>
-#include <nlohmann/json.hpp>
 
 #include "app/planned_folder.h"
+#include "app/print_json.h"
 #include "core/standard_streams.h"
 #include "present/shard_page.h"
 #include "reports/files/output.h"
@@ -19,11 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = ShardState::Kind;
 
-nlohmann::ordered_json json_of(const std::vector<ShardState>& states, double left) {
+nlohmann::ordered_json json_of(const ShardPlan& plan, const std::vector<ShardState>& states, double left) {
   nlohmann::ordered_json json;
   for (const char* name : {"done", "running", "waiting", "lost", "failed"}) json[name] = nlohmann::json::array();
   for (std::size_t i = 0; i < states.size(); ++i) json[name_of(states[i].kind)].push_back(i);
   json["seconds_left"] = left < 0.0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(left);
+  if (plan.tuning) json["round"] = plan.tuning->rounds.size();
   return json;
 }
 
@@ -80,11 +81,8 @@ ExitCode run_status(const CommandLine& line, const Console& console) {
     for (std::size_t i = 0; i < states.size(); ++i) {
       if (states[i].kind != Kind::done) write_to(stdout, command_of(folder, std::to_string(i)) + "\n");
     }
-  } else if (console.json) {
-    nlohmann::ordered_json json = json_of(states, left);
-    if (plan.tuning) json["round"] = plan.tuning->rounds.size();
-    write_to(stdout, json.dump(2) + "\n");
   } else {
+    print_json(console, json_of(plan, states, left));
     print_status(console, plan, states, left);
   }
   return ExitCode::ok;

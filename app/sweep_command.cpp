@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/dry_run.h"
-#include "app/sweep_run.h"
 #include "core/interrupt.h"
 #include "experiments/sweep/sweep_progress.h"
 #include "present/run_output.h"
@@ -64,9 +63,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     note(console, fmt::format("one pass measures the statistics of a group; the metrics draw each of the {} cells",
                               sweep.plan.cells));
   }
-  if (line.dry_run) {
-    return show_sweep_plan(console, stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics});
-  }
+  if (line.dry_run) return show_sweep_plan(console, sweep);
 
   RunFolder& folder = *run_folder;
   folder.announce(ResultsStore::file_names());

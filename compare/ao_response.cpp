@@ -258,17 +258,7 @@ std::vector<AoStatistics> AoResponse::statistics() const {
   ErrorSums open;
   double largest_open = 0.0;
   for (const Part& part : parts_) {
-    open.pixels += part.open.pixels;
-    open.raster += part.open.raster;
-    open.truth += part.open.truth;
-    open.absolute += part.open.absolute;
-    open.absolute_bias += part.open.absolute_bias;
-    open.squared += part.open.squared;
-    open.squared_noise += part.open.squared_noise;
-    open.variance += part.open.variance;
-    open.variance_squared += part.open.variance_squared;
-    open.scatter += part.open.scatter;
-    open.min_samples = std::min(open.min_samples, part.open.min_samples);
+    umbrameter::add(open, part.open);
     largest_open = std::max(largest_open, part.largest_open);
   }
   std::vector<AoStatistics> all(axes_.cells());

@@ -36,6 +36,9 @@ struct ErrorSums {
   PartSums too_bright;
 };
 
+/// Adds a part of the pixels: all but max_error and max_x.
+void add(ErrorSums& total, const ErrorSums& part);
+
 /// What noise of the standard error s adds to the mean of an absolute error e: E|e + sZ| − |e| for standard normal Z
 /// (mean of the folded normal distribution, Leone, Nelson and Nottingham 1961).
 double folded_excess(double e, double s);

@@ -131,6 +131,23 @@ double half_width_of_sum(double variance, double squares, int degrees_of_freedom
   return quantile_of(variance, squares, degrees_of_freedom) * std::sqrt(variance);
 }
 
+void add(ErrorSums& total, const ErrorSums& part) {
+  total.pixels += part.pixels;
+  total.raster += part.raster;
+  total.truth += part.truth;
+  total.error += part.error;
+  total.absolute += part.absolute;
+  total.absolute_bias += part.absolute_bias;
+  total.squared += part.squared;
+  total.squared_noise += part.squared_noise;
+  total.variance += part.variance;
+  total.scatter += part.scatter;
+  total.variance_squared += part.variance_squared;
+  add(total.too_dark, part.too_dark);
+  add(total.too_bright, part.too_bright);
+  total.min_samples = std::min(total.min_samples, part.min_samples);
+}
+
 SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom) {
   SampledError statistics;
   statistics.pixels = total.pixels;
@@ -170,20 +187,7 @@ SampledError analyze_sampled(const Image<float>& raster, const SampledImage& tru
   int max_y = -1;
   for (std::size_t y = 0; y < rows.size(); ++y) {
     const ErrorSums& row = rows[y];
-    total.pixels += row.pixels;
-    total.raster += row.raster;
-    total.truth += row.truth;
-    total.error += row.error;
-    total.absolute += row.absolute;
-    total.absolute_bias += row.absolute_bias;
-    total.squared += row.squared;
-    total.squared_noise += row.squared_noise;
-    total.variance += row.variance;
-    total.scatter += row.scatter;
-    total.variance_squared += row.variance_squared;
-    add(total.too_dark, row.too_dark);
-    add(total.too_bright, row.too_bright);
-    total.min_samples = std::min(total.min_samples, row.min_samples);
+    add(total, row);
     if (row.max_error > total.max_error) {
       total.max_error = row.max_error;
       total.max_x = row.max_x;

@@ -62,10 +62,6 @@ const BiasCurve* curve_at(const Drawing& drawing, std::size_t line) {
   return nullptr;
 }
 
-std::vector<Column> plain_columns(std::initializer_list<const char*> names) {
-  return mapped(names, [](const char* name) { return Column{name, "", ""}; });
-}
-
 PlotFigure make_plot(const Drawing& drawing, const char* stem, const char* title, Axis x, Axis y) {
   PlotFigure plot;
   plot.stem = stem + drawing.part.suffix;

@@ -109,10 +109,7 @@ std::string failure_text(const GateCheck& check) {
                                         : by;
 }
 
-std::string markdown_cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
-  return escape_markup(text);
-}
+std::string markdown_cell(const std::string& text) { return escape_markup(replace_all(text, "|", "\\|")); }
 
 const std::vector<std::string> header = {
     "", "where", "statistic", "value", "bound", "excess", "excess ÷ half of the 95 % interval"};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/lists.h"
 #include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
@@ -118,10 +119,14 @@ std::vector<CategoryColor> categories_of(Layer layer) {
   return layer == Layer::cause_image ? image_cause_colors() : std::vector<CategoryColor>{};
 }
 
+std::vector<Column> plain_columns(std::initializer_list<const char*> names) {
+  return mapped(names, [](const char* name) { return Column{name, "", ""}; });
+}
+
 ReportTable statistics_table(std::string title, const Statistics& statistics) {
   const std::vector<Column> columns = columns_of(statistics);
   const std::vector<Value> row = row_of(statistics);
-  Table table{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}};
+  Table table{plain_columns({"quantity", "value", "unit", "meaning"}), {}};
   for (std::size_t i = 0; i < columns.size(); i += width_of(columns, i)) {
     table.rows.push_back(
         {columns[i].name, measured_value(columns, row, i), shown_unit(columns[i]), columns[i].meaning});
@@ -131,7 +136,7 @@ ReportTable statistics_table(std::string title, const Statistics& statistics) {
 
 void add_metrics_table(ReportSection& section, const std::vector<MetricScore>& scores) {
   if (scores.empty()) return;
-  Table table{{{"metric", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"range", "", ""}, {"formula", "", ""}}, {}};
+  Table table{plain_columns({"metric", "value", "unit", "range", "formula"}), {}};
   for (const auto& [column, score] : scores) {
     table.rows.push_back({std::string(column.metric->title), digits_text(score, 4), column.unit,
                           std::string(column.metric->range), std::string(column.metric->formula)});

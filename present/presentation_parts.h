@@ -1,6 +1,7 @@
 // The parts of which present/ composes pages, figures and summary.json. Programs use run_page.h and run_output.h.
 #pragma once
 
+#include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -34,6 +35,9 @@ inline constexpr const char* image_error_caption = "Luminance, technique − ref
 inline constexpr const char* image_cause_caption =
     "The input that matters most: replacing it by the reference's changes the pixel most. Only where the error is "
     "visible.";
+
+/// Columns whose names say it all.
+std::vector<Column> plain_columns(std::initializer_list<const char*> names);
 
 /// One row per statistic: name, value, unit, meaning.
 ReportTable statistics_table(std::string title, const Statistics& statistics);

@@ -75,6 +75,13 @@ std::vector<std::string> run_files(bool with_rows) {
   return files;
 }
 
+ExitCode finish_run(RunFolder& folder, const Console& console, const std::vector<std::string>& problems) {
+  add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));
+  folder.finish(problems.empty());
+  for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
+  return problems.empty() ? ExitCode::ok : ExitCode::partial;
+}
+
 ExitCode write_run(RunFolder& run_folder, const Console& console, RunResults results, RunOutput output) {
   RunPage page = present_run(results, output.rows, output.page);
   const std::filesystem::path& folder = run_folder.path();
@@ -124,11 +131,8 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunResults res
   write_run_page(folder, results, output.rows, page, problems, output.page);
   if (!output.journal.empty()) std::filesystem::remove(output.journal);
   for (const std::string& text : output.closing) add_line(console, text);
-  add_line(console, fmt::format("report: {}", (folder / "index.html").string()));
   if (console.json) write_to(stdout, json);
-  run_folder.finish(problems.empty());
-  for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
-  return problems.empty() ? ExitCode::ok : ExitCode::partial;
+  return finish_run(run_folder, console, problems);
 }
 
 }  // namespace umbrameter

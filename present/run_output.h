@@ -40,6 +40,10 @@ std::string costs_text(const Costs& costs, std::uint64_t peak_resident_bytes);
 /// What write_run() writes besides figures; `with_rows` for a sweep.
 std::vector<std::string> run_files(bool with_rows);
 
+/// Ends a run or a report whose page is written: prints where that is, and a line on stderr for each problem, which
+/// makes ExitCode::partial.
+ExitCode finish_run(RunFolder& folder, const Console& console, const std::vector<std::string>& problems);
+
 /// Prints the lines of each part, then writes the files into the folder, the page last, and prints where the page is.
 /// ExitCode::partial, with a line on stderr for each, when a figure could not be made.
 ExitCode write_run(RunFolder& folder, const Console& console, RunResults results, RunOutput output);

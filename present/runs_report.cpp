@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "present/presentation.h"
+#include "present/presentation_parts.h"
 #include "results/known_statistics.h"
 #include "results/number_text.h"
 
@@ -197,19 +197,8 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
 }
 
 Table comparison_rows(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared) {
-  Table table{{{"kind", "", ""},
-               {"light", "", ""},
-               {"statistic", "", ""},
-               {"unit", "", ""},
-               {"run", "", ""},
-               {"value", "", ""},
-               {"half_width", "", ""},
-               {"interval_of", "", ""},
-               {"difference", "", ""},
-               {"difference_lo", "", ""},
-               {"difference_hi", "", ""},
-               {"blocks", "", ""},
-               {"verdict", "", ""}},
+  Table table{plain_columns({"kind", "light", "statistic", "unit", "run", "value", "half_width", "interval_of",
+                             "difference", "difference_lo", "difference_hi", "blocks", "verdict"}),
               {}};
   constexpr const char* verdicts[] = {"base", "equal", "significant", "not significant", "rays only", "no interval"};
   constexpr const char* intervals[] = {"", "rays", "pixels and rays"};

@@ -62,7 +62,7 @@ void add_error_figure(Presentation& presentation, const SceneFacts& scene, const
 // The bias of our own technique.
 void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
   if (!renderer_title(shadow.experiment).empty()) return;
-  Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
+  Table table{plain_columns({"constant bias", "value", "unit"}), {}};
   const double texel = shadow.counted.mean_texel;
   const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit);
   const auto known = [](double number) { return digits_text(number); };

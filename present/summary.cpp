@@ -44,10 +44,7 @@ Json truth_json(const TraceStatistics& statistics, const SamplingPrecision& prec
 }
 
 Json parts_json(PartKind kind, const std::vector<PartError>& parts, std::uint32_t weight_sum) {
-  const Table table = part_table(kind, parts, weight_sum);
-  Json list = Json::array();
-  for (const std::vector<Value>& row : table.rows) list.push_back(row_json(table.columns, row));
-  return list;
+  return rows_json(part_table(kind, parts, weight_sum));
 }
 
 Json agreement_json(const ClassAgreement& agreement) {
@@ -224,10 +221,7 @@ std::string to_summary_json(const RunResults& results, const std::optional<Sweep
   if (sweep) {
     Json axes = Json::object();
     for (const auto& [key, text] : results.experiment.axes) axes[key] = text;
-    Json best = Json::array();
-    const Table& rows = results.sweep->best;
-    for (const std::vector<Value>& row : rows.rows) best.push_back(row_json(rows.columns, row));
-    summary["sweep"] = {{"axes", axes}, {"cells", sweep->cells}, {"least_mae", best}};
+    summary["sweep"] = {{"axes", axes}, {"cells", sweep->cells}, {"least_mae", rows_json(results.sweep->best)}};
     summary["sweep"]["open_ends"] = to_json(sweep->open_ends);
     for (const ShadowMeasurement& shadow : results.measurement->shadows) {
       if (!shadow.advice || shadow.advice->engines.empty()) continue;
@@ -244,8 +238,7 @@ std::string to_summary_json(const RunResults& results, const std::optional<Sweep
   if (results.measurement) summary["layers"] = to_json(named_layers(results.measurement->layers));
   summary["files"] = files;
   summary["problems"] = problems;
-  // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
-  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(summary, 2) + "\n";
 }
 
 }  // namespace umbrameter

@@ -75,6 +75,13 @@ const std::vector<KnownStatistic>& known_statistics() {
   return all;
 }
 
+const KnownStatistic* find_known(std::string_view kind, std::string_view name) {
+  for (const KnownStatistic& each : known_statistics()) {
+    if (each.kind == kind && each.name == name) return &each;
+  }
+  return nullptr;
+}
+
 bool can_be_negative(std::string_view statistic) {
   return is_signed_error(statistic) || std::ranges::any_of(known_statistics(), [&](const KnownStatistic& each) {
            return each.name == statistic && each.is_higher_better;

@@ -22,13 +22,6 @@ double number_of(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-const KnownStatistic* find_known(const std::string& kind, const std::string& name) {
-  for (const KnownStatistic& each : known_statistics()) {
-    if (each.kind == kind && each.name == name) return &each;
-  }
-  return nullptr;
-}
-
 // The numbers of the blocks "statistics" and "metrics". A described statistic hides a metric of the same name.
 void read_part(const Json& part, const MeasuredStatistic& of_part, std::vector<MeasuredStatistic>& all) {
   const Json statistics = part.value("statistics", Json::object());

@@ -63,13 +63,6 @@ void compare_to(const ComparedValue& base, const std::vector<StoredRun>& runs, C
   value.verdict = excludes_0 ? Verdict::significant : Verdict::not_significant;
 }
 
-bool is_error(const MeasuredStatistic& measured) {
-  for (const KnownStatistic& known : known_statistics()) {
-    if (known.kind == measured.kind && known.name == measured.name) return known.is_error;
-  }
-  return false;
-}
-
 const std::string& value_of(const std::vector<std::pair<std::string, std::string>>& pairs, const std::string& key) {
   static const std::string none = "—";
   for (const auto& [name, value] : pairs) {
@@ -113,7 +106,8 @@ Estimate estimate_of(const ComparedValue& value) {
 std::vector<ComparedStatistic> compare_runs(const std::vector<StoredRun>& runs) {
   std::vector<ComparedStatistic> all;
   for (const MeasuredStatistic& base : runs.front().statistics) {
-    ComparedStatistic compared{base.kind, base.light, base.name, base.unit, is_error(base), {}};
+    const KnownStatistic* known = find_known(base.kind, base.name);
+    ComparedStatistic compared{base.kind, base.light, base.name, base.unit, known != nullptr && known->is_error, {}};
     compared.values.push_back(value_of_run(runs, 0, base));
     for (std::size_t i = 1; i < runs.size(); ++i) {
       const MeasuredStatistic* measured = find_same(runs[i], base);

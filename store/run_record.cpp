@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "reports/files/output.h"
+#include "reports/files/value_json.h"
 #include "store/results_store.h"
 
 namespace umbrameter {
@@ -103,8 +104,7 @@ std::optional<RunRecord> read_run_record(const fs::path& folder) {
 void write_run_record(const fs::path& folder, const RunRecord& record) {
   const Json json = {
       {format_key, format}, {"command", record.command}, {"complete", record.complete}, {"files", record.files}};
-  // Names of figures come from scene files: bytes that are not UTF-8 are replaced, never thrown on.
-  write_text(folder / run_record_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_text(folder / run_record_name, json_text(json, 2) + "\n");
 }
 
 void add_files(std::vector<std::string>& list, const std::vector<std::string>& files) {

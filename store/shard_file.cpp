@@ -11,6 +11,7 @@
 #include "core/content_hash.h"
 #include "core/error.h"
 #include "reports/files/output.h"
+#include "reports/files/value_json.h"
 #include "store/run_record.h"
 
 namespace umbrameter {
@@ -92,7 +93,7 @@ void write_shard(const fs::path& path, const ShardManifest& manifest, std::strin
                      {"cells", manifest.cells},     {"notes", manifest.notes},
                      {"row_bytes", rows.size()}};
   std::string text(head);
-  text += json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  text += json_text(json) + "\n";
   text += rows;
   text += checksum_of(text);
   write_text(path, text);

@@ -26,8 +26,6 @@ constexpr std::array<std::string_view, 4> type_names = {"number", "integer", "bo
 
 [[noreturn]] void reject(const std::string& what) { throw std::runtime_error(what); }
 
-std::string json_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 std::string shortened(std::string text) {
   if (text.size() > 60) text = text.substr(0, 60) + "...";
   return text;

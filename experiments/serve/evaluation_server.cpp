@@ -154,7 +154,7 @@ std::string EvaluationServer::reply(const std::string& text) {
   } catch (const std::bad_alloc&) {
     reply = {{"id", reply["id"]}, {"error", "out of memory; use a smaller view.size or shadow.resolution"}};
   }
-  return reply.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(reply);
 }
 
 }  // namespace umbrameter

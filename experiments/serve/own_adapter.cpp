@@ -183,7 +183,7 @@ std::string OwnAdapter::reply(const std::string& request) {
     if (reply.contains("id")) refusal["id"] = reply["id"];
     reply = refusal;
   }
-  return reply.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(reply);
 }
 
 }  // namespace umbrameter

@@ -23,10 +23,6 @@ ShardCuts cuts_with(const SweepCosts& costs, SweepPlan plan, std::size_t parts, 
   return cuts;
 }
 
-std::size_t divide_up(std::size_t number, std::size_t by) { return (number + by - 1) / by; }
-
-double longest(const ShardCuts& cuts) { return *std::ranges::max_element(cuts.seconds); }
-
 }  // namespace
 
 GroupCosts::GroupCosts(SweepCosts costs, const SweepPlan& plan)
@@ -144,7 +140,7 @@ ShardCuts cut_into_shards(const SweepCosts& costs, const SweepPlan& plan, std::s
   const std::size_t fine = parts_of_group(plan) * divide_up(pieces_per_shard * shards, groups);
   if (fine > best.parts) {
     ShardCuts finer = cuts_with(costs, plan, fine, shards);
-    if (longest(finer) < worth_cutting * longest(best)) best = std::move(finer);
+    if (std::ranges::max(finer.seconds) < worth_cutting * std::ranges::max(best.seconds)) best = std::move(finer);
   }
   return best;
 }

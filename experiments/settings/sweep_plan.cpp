@@ -44,8 +44,6 @@ LengthUnit unit_of_constants(const Parameters& parameters, const SweepPlan& plan
   return length != nullptr ? (*length)->unit : LengthUnit::metres;
 }
 
-std::size_t divide_up(std::size_t number, std::size_t by) { return (number + by - 1) / by; }
-
 // A group that is too large is split along its last axes: the cost of a pass grows with the number of slope-scaled
 // biases, hardly with that of constant ones.
 void split_large_groups(SweepPlan& plan) {

@@ -20,6 +20,9 @@ inline constexpr std::string_view slope_bias_key = "shadow.slope-bias";
 /// its last axis, into equal parts.
 inline constexpr std::size_t max_group_cells = 65'536;
 
+/// number / by, rounded up.
+constexpr std::size_t divide_up(std::size_t number, std::size_t by) { return (number + by - 1) / by; }
+
 /// Values of an inner axis: in a plan all values, in a group the values of that group.
 struct InnerAxis {
   std::optional<std::size_t> axis{};  ///< index into SweepPlan::axes; empty if the bias is not varied

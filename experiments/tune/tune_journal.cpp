@@ -56,7 +56,7 @@ TuneJournal::TuneJournal(const std::filesystem::path& path,
     : path_(path) {
   Json header = Json::object();
   for (const auto& [name, value] : settings) header[name] = value;
-  std::string kept = header.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  std::string kept = json_text(header) + "\n";
   std::ifstream earlier(path);
   std::string line;
   if (earlier && std::getline(earlier, line)) {

@@ -36,19 +36,17 @@ std::string comment_of(const Parameter& parameter) {
   return comment_text(comment);
 }
 
-Value to_value(const toml::node& node, const std::string& key, const std::string& file) {
+Value to_value(const toml::node& node, const std::string& key, const std::filesystem::path& path) {
   if (const auto* truth = node.as_boolean()) return truth->get();
   if (const auto* integer = node.as_integer()) return std::int64_t{integer->get()};
   if (const auto* number = node.as_floating_point()) return number->get();
   if (const auto* text = node.as_string()) return text->get();
-  throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line),
-              "'" + key + "' must be a number, true, false or a string");
+  throw Error(ExitCode::usage, place_of(path, node), "'" + key + "' must be a number, true, false or a string");
 }
 
-std::string text_of(const toml::node& node, const std::string& key, const std::string& file) {
+std::string text_of(const toml::node& node, const std::string& key, const std::filesystem::path& path) {
   if (const auto* text = node.as_string()) return text->get();
-  throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line), "'" + key + "' must be a string",
-              "write it in quotes");
+  throw Error(ExitCode::usage, place_of(path, node), "'" + key + "' must be a string", "write it in quotes");
 }
 
 }  // namespace
@@ -78,7 +76,6 @@ std::string to_toml(const std::string& scene, const Parameters& parameters,
 }
 
 ExperimentFile read_experiment(const std::filesystem::path& path) {
-  const std::string file = path.string();
   const toml::table table = parse_toml_file(path, "an experiment file such as experiment.toml");
   // toml++ sorts keys; the order of the lines is what the user wrote, and the order of axes means something.
   std::vector<std::pair<toml::source_position, std::pair<std::string, std::string>>> axes;
@@ -86,13 +83,12 @@ ExperimentFile read_experiment(const std::filesystem::path& path) {
   for (const auto& [name, node] : table) {
     const std::string group(name.str());
     if (group == "scene" && !node.is_table()) {
-      result.scene = text_of(node, group, file);
+      result.scene = text_of(node, group, path);
       continue;
     }
     const toml::table* members = node.as_table();
     if (members == nullptr) {
-      throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line),
-                  "'" + group + "' is outside any table",
+      throw Error(ExitCode::usage, place_of(path, node), "'" + group + "' is outside any table",
                   "only 'scene' may be there; parameters belong under [scene], [view], [shadow], [ao], [truth], [run] "
                   "or [vary]");
     }
@@ -100,11 +96,11 @@ ExperimentFile read_experiment(const std::filesystem::path& path) {
       const std::string key(member.str());
       result.lines[group + "." + key] = value.source().begin.line;
       if (group == "scene" && key == "source") {
-        result.scene = text_of(value, "scene.source", file);
+        result.scene = text_of(value, "scene.source", path);
       } else if (group == "vary") {
-        axes.push_back({value.source().begin, {key, text_of(value, "vary." + key, file)}});
+        axes.push_back({value.source().begin, {key, text_of(value, "vary." + key, path)}});
       } else {
-        result.values.emplace_back(group + "." + key, to_value(value, group + "." + key, file));
+        result.values.emplace_back(group + "." + key, to_value(value, group + "." + key, path));
       }
     }
   }

@@ -58,15 +58,11 @@ bool is_number_text(const Value& value) {
 // A column of a two-column page holds about as many characters of ten points.
 constexpr std::size_t most_characters = 45;
 
-std::size_t characters_of(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & '\xc0') != '\x80'; }));
-}
-
 std::size_t width_of(const Table& table) {
   std::size_t width = 0;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    std::size_t widest = characters_of(table.columns[c].name);
-    for (const std::vector<Value>& row : table.rows) widest = std::max(widest, characters_of(to_string(row[c])));
+    std::size_t widest = count_characters(table.columns[c].name);
+    for (const std::vector<Value>& row : table.rows) widest = std::max(widest, count_characters(to_string(row[c])));
     width += widest;
   }
   return width;

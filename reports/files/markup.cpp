@@ -47,6 +47,13 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
+std::string replace_all(std::string text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
+}
+
 std::string escape_markup(std::string_view text) {
   std::string result;
   for (const char c : plain_text(text)) {

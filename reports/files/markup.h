@@ -13,6 +13,9 @@ std::string plain_text(std::string_view text);
 /// Whether all bytes are UTF-8 (RFC 3629).
 bool is_utf8(std::string_view text);
 
+/// The text with all occurrences replaced, from the first to the last.
+std::string replace_all(std::string text, std::string_view what, std::string_view with);
+
 /// Text as it may stand between tags or in quotes: plain_text() in which & < > " '
 /// become entities.
 std::string escape_markup(std::string_view text);

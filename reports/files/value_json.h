@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -13,6 +14,12 @@
 #include "core/table.h"
 
 namespace umbrameter {
+
+/// The text of a value, in one line unless `indent` is given. Names come from files: bytes that are no UTF-8 are
+/// replaced, never thrown on.
+inline std::string json_text(const nlohmann::ordered_json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
 
 inline nlohmann::ordered_json to_json(const Value& value) {
   return std::visit([](const auto& v) { return nlohmann::ordered_json(v); }, value);
@@ -46,6 +53,13 @@ inline nlohmann::ordered_json row_json(const std::vector<Column>& columns, const
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < columns.size(); ++i) object[columns[i].name] = to_json(row[i]);
   return object;
+}
+
+/// The rows as a list.
+inline nlohmann::ordered_json rows_json(const Table& table) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const std::vector<Value>& row : table.rows) list.push_back(row_json(table.columns, row));
+  return list;
 }
 
 template <class Struct>

@@ -15,13 +15,16 @@ Json value_json(const Value& value, bool is_exact) {
   const auto* number = std::get_if<double>(&value);
   if (number == nullptr) return std::visit([](const auto& each) { return Json(each); }, value);
   if (!std::isfinite(*number)) return nullptr;
-  if (is_exact) return *number;
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.6g", *number);
-  return std::strtod(digits, nullptr);
+  return is_exact ? *number : six_digits(*number);
 }
 
 }  // namespace
+
+double six_digits(double value) {
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.6g", value);
+  return std::strtod(digits, nullptr);
+}
 
 Json cells_json(const ReportCells& cells) {
   Json json = {{"axes", cells.axes},       {"count", cells.count}, {"numbers", cells.numbers},

@@ -22,6 +22,9 @@ struct ReportCells {
   std::string command_end;
 };
 
+/// Rounded to six significant digits: as good as any to a chart, and shorter.
+double six_digits(double value);
+
 /// What the page's script reads (viewer/cells.ts). Measured values have six significant digits.
 nlohmann::ordered_json cells_json(const ReportCells& cells);
 

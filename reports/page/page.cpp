@@ -38,13 +38,6 @@ std::string cell_text(const Value& value) {
   return text;
 }
 
-std::string replace_all(std::string text, std::string_view what, std::string_view with) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
-    text.replace(at, what.size(), with);
-  }
-  return text;
-}
-
 // Numbers and what may stand with them: "−0.19", "+8.4 ± 0.7", "(0.05 ± 0.09)*", "11.2 to 11.4", "0.115 %".
 bool is_number(const Value& value) {
   const auto* given = std::get_if<std::string>(&value);

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,6 +10,7 @@
 #include "core/parallel.h"
 #include "reports/figures/color_table.h"
 #include "reports/files/markup.h"
+#include "reports/page/cells.h"
 #include "reports/page/plane.h"
 #include "reports/page/script_text.h"
 #include "reports/page/viewer_data.h"
@@ -43,13 +42,6 @@ std::pair<double, double> range_of(const Image<float>& image) {
     range = {std::min<double>(range.first, value), std::max<double>(range.second, value)};
   }
   return range.first <= range.second ? range : std::pair(0.0, 1.0);
-}
-
-// A number of six significant digits is as good as any to a chart, and shorter.
-double six_digits(double value) {
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.6g", value);
-  return std::strtod(digits, nullptr);
 }
 
 // The index of an item; equal ones have the same.

@@ -15,7 +15,6 @@ struct Storeys {
   double pier = 0.9;       ///< width of the wall between two windows
   double parapet = 1.0;    ///< height of the wall above the last window
   double spandrel = 1.15;  ///< height of the wall below a window
-  bool has_shops = false;
   double foot() const { return base - 0.35; }
   double floor(int i) const { return base + (i == 0 ? 0.0 : ground + (i - 1) * height); }
   double top() const { return floor(floors); }

@@ -27,6 +27,10 @@ double kernel_share_beyond(double x) {
 
 double unchanged(double accessibility) { return accessibility; }
 
+std::function<double(double)> with_intensity(double intensity) {
+  return [intensity](double accessibility) { return std::max(1.0 - intensity * (1.0 - accessibility), 0.0); };
+}
+
 }  // namespace
 
 // A point of the kernel counts as hidden where a surface lies between it and the surfel.
@@ -76,10 +80,7 @@ AoIntegral integral_of(const Hbao& technique) {
     const double x = hit.distance / radius;
     return hit.above_tangent < bias ? 0.0 : std::max(1.0 - x * x, 0.0);
   };
-  return {AoDirections::uniform, radius, occlusion,
-          [intensity = params.intensity](double accessibility) {
-            return std::max(1.0 - intensity * (1.0 - accessibility), 0.0);
-          },
+  return {AoDirections::uniform, radius, occlusion, with_intensity(params.intensity),
           "uniform directions; a hit at x = distance / radius occludes by 1 − x², unless its direction is lower above "
           "the tangent plane than the tangent bias; times the intensity"};
 }
@@ -98,10 +99,7 @@ AoIntegral integral_of(const Alchemy& technique) {
     const double rest = 1.0 - square / limit;
     return 5.0 * rest * rest * rest * term;
   };
-  return {AoDirections::uniform, radius, occlusion,
-          [intensity = params.intensity](double accessibility) {
-            return std::max(1.0 - intensity * (1.0 - accessibility), 0.0);
-          },
+  return {AoDirections::uniform, radius, occlusion, with_intensity(params.intensity),
           "uniform directions; the first hit adds the estimator's own term, which exceeds 1 near by; times the "
           "intensity, cut at 0"};
 }
