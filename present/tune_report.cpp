@@ -192,6 +192,8 @@ std::string bias_range_text(const TuneSummary& summary) {
   text += fmt::format("; acne at most 0.1 % in every case from {}", value_text(*axis, plateau.recommended.constant));
   const double best = to_number(summary.result.best.values[static_cast<std::size_t>(axis - summary.axes.begin())]);
   if (best < plateau.recommended.constant) text += "; the best point has more: --constraint 'acne<0.1%' avoids that";
+  if (best > plateau.recommended.constant && !summary.result.withheld)
+    text += "; use that one: a larger bias detaches shadows that these views may not show";
   return text;
 }
 
@@ -231,6 +233,7 @@ std::vector<std::string> idle_axes(const TuneSummary& summary) {
 void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) {
   const TuneResult& result = summary.result;
   const TuneGoal& goal = summary.goal;
+  if (result.withheld) answers.push_back("no bias recommended: " + withheld_text(*result.withheld, result.evidence));
   answers.push_back(fmt::format(
       "best: {}: {} {}{}{}", point_text(summary.axes, result.best.values), cost_words(goal),
       cost_text(goal, result.best.score.cost, summary.judgement.best), summary.judgement.best ? " (95 % interval)" : "",

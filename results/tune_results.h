@@ -41,6 +41,8 @@ struct TuneResult {
   /// With an exact bias: along it at the best values of the others, with the cost as the error and the acne of the case
   /// that has most. Empty where no bias keeps the constraints.
   std::optional<BiasPlateau> plateau{};
+  BiasEvidence evidence{};           ///< with a plateau: what all cases show about the bias
+  std::optional<NoBias> withheld{};  ///< why plateau->recommended is not recommended
   std::vector<AxisScan> scans;
   std::vector<WordPoint> of_words;  ///< for each axis of words and each of its values that was evaluated
   std::string method;               ///< "all 12 combinations", "DIRECT-L, then subplex"

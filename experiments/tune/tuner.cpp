@@ -19,6 +19,24 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t max_curve_points = 200;
 constexpr double least_difference = 0.05;  // between a runner-up and the best, as a share of an axis
 
+// One case in which a large bias detaches shadows is enough.
+BiasEvidence evidence_of(const TuneInput& in, const std::vector<Value>& values) {
+  BiasEvidence all;
+  all.has_floor = all.is_on_others = false;
+  std::uint64_t blocked = 0;
+  for (const TuneCase& each : in.cases) {
+    const BiasEvidence of_case = measure_bias_evidence(*each.stages, at_point(each, in.axes, values), each.light);
+    all.pixels += of_case.pixels;
+    all.lit += of_case.lit;
+    all.blocked += of_case.has_receiver() ? of_case.blocked : 0;
+    blocked += of_case.blocked;
+    all.has_floor = all.has_floor || of_case.has_floor;
+    all.is_on_others = all.is_on_others || of_case.is_on_others;
+  }
+  if (!all.has_receiver()) all.blocked = blocked;
+  return all;
+}
+
 void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& measurer) {
   const std::vector<TunePoint> all = measurer.measure_curve(result.best.values, result.goal);
   const std::vector<double>& constants = measurer.constants();
@@ -41,7 +59,12 @@ void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& 
     }
   }
   std::ranges::sort(cells, [](const BiasCell& a, const BiasCell& b) { return a.constant < b.constant; });
-  result.plateau = plateau_of(cells);
+  result.evidence = evidence_of(in, result.best.values);
+  const bool is_share = result.goal.text == error_statistic && !result.goal.is_worst_case && !result.goal.is_relative;
+  result.plateau = plateau_of(cells, {}, is_share ? result.evidence.pixels : 0);
+  result.withheld = reason_against(*result.plateau, result.evidence);
+  // A range that reaches the end of the axis may end beyond it.
+  if (result.withheld == NoBias::unbounded) result.withheld.reset();
 }
 
 bool differ(const std::vector<TuneAxis>& axes, const std::vector<Value>& a, const std::vector<Value>& b) {

@@ -234,5 +234,25 @@ TEST_F(Answers, Quiet_prints_the_answer_only_and_verbose_adds_diagnostics) {
   EXPECT_EQ(detached.err.find("the receiver's own"), std::string::npos) << detached.err;
 }
 
+TEST_F(Answers, Few_pixels_are_counted_aloud_whatever_the_technique_and_command) {
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"compare", "contact-box", "--measure", "shadows", "--light.angle", "8"},
+        {"compare", "contact-box", "--measure", "shadows", "--shadow.technique", "vsm"},
+        {"sweep", "contact-box", "--vary", "shadow.constant-bias=0texels:6texels:13"}}) {
+    const ProgramResult result =
+        run_program(words(command, {"-o", folder_ / "few", "--force", "--light", "sun", "--size", "9x5", "--truth.spp",
+                                    "16", "--no-figures", "--quiet"}));
+    EXPECT_NE(result.out.find("only 26 counted pixels"), std::string::npos) << result.out;
+  }
+}
+
+// A filter of one tap has no size, so the answer names none.
+TEST_F(Answers, The_best_cell_names_only_parameters_that_it_reads) {
+  const std::string out = run({"sweep", "corner", "--light", "0", "--no-figures", "--vary", "shadow.filter=nearest,box",
+                               "--vary", "shadow.filter-size=3,5"});
+  EXPECT_EQ(first_line(out).find("shadow.filter-size"), std::string::npos) << out;
+  EXPECT_NE(first_line(out).find("at shadow.filter nearest"), std::string::npos) << out;
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -124,6 +124,15 @@ TEST_F(Check, Budget_that_names_nothing_in_the_run_fails) {
   EXPECT_NE(result.out.find("not measured"), std::string::npos) << result.out;
 }
 
+TEST_F(Check, Bounds_of_a_scene_that_no_run_shows_are_one_row) {
+  const std::string other = "[[budget]]\nscene = \"other\"\nstatistic = \"";
+  const std::string two = other + "acne\"\nbound = 0.5\n" + other + "leak\"\nbound = 0.5\n";
+  const ProgramResult result = run_program({"check", run("good", summary(0.01)), "--budget", budget(two)});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("all 2 bounds"), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("acne"), std::string::npos) << result.out;
+}
+
 TEST_F(Check, Kind_light_and_magnitude_select_the_value) {
   const std::string good = run("good", summary(0.01));
   const auto exit_code = [&](const std::string& lines) {

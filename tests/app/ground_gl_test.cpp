@@ -13,15 +13,18 @@ namespace {
 using Json = nlohmann::json;
 
 struct GroundRun : GlRun {
-  // The sun in a compare of one cube of contact-box, without its floor.
-  Json shadow(const std::vector<std::string>& more) {
+  // One cube of contact-box, without its floor.
+  std::string box_file() {
     Scene scene = load_scene("contact-box");
     std::erase_if(scene.instances,
                   [&](const Instance& instance) { return scene.objects[instance.object].name != "gap 0"; });
     const std::vector<unsigned char> glb = to_glb(scene);
-    const std::string file = folder_.write("box.glb", glb).string();
-    const ProgramResult result = run_program(
-        words(words({"compare", file, "-o", folder_ / "out", "--force", "--light", "0", "--no-figures"}, more), small));
+    return folder_.write("box.glb", glb).string();
+  }
+  // The sun in a compare of it.
+  Json shadow(const std::vector<std::string>& more) {
+    const ProgramResult result = run_program(words(
+        words({"compare", box_file(), "-o", folder_ / "out", "--force", "--light", "0", "--no-figures"}, more), small));
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return Json::parse(text_of(folder_ / "out/summary.json"))["shadows"][0];
   }
@@ -42,6 +45,19 @@ TEST_F(GroundRun, Gives_a_lone_box_a_shadow_that_a_large_bias_removes) {
   EXPECT_GT(above["statistics"]["peter_panning"], 0.9 * blocked);
   // The map has the same area, so that its texels are as large.
   EXPECT_NEAR(above["map"]["mean_texel_m"], alone["map"]["mean_texel_m"], 1e-9);
+}
+
+TEST_F(GroundRun, A_sweep_and_a_tuning_of_a_lone_box_recommend_no_bias) {
+  for (const char* command : {"sweep", "tune"}) {
+    const std::string axis = "shadow.constant-bias=0texels:40texels" + std::string(command[0] == 's' ? ":41" : "");
+    const ProgramResult result = run_program(
+        words({command, box_file(), "-o", folder_ / command, "--light", "0", "--no-figures", "--vary", axis},
+              {"--size", "96x54"}));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out.find("no bias recommended: "), 0u) << result.out;
+  }
+  const Json curve = Json::parse(text_of(folder_ / "sweep/summary.json"))["curves"]["biases"][0];
+  EXPECT_TRUE(curve["recommended"].is_null());
 }
 
 }  // namespace

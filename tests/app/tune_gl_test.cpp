@@ -34,7 +34,7 @@ TEST_F(Tune, Of_the_bias_alone_is_at_least_as_good_as_a_grid_of_a_thousand) {
   ASSERT_EQ(run_program(sweep).exit_code, 0);
   const Json grid = Json::parse(text_of(folder_ / "grid/summary.json"))["sweep"]["least_mae"][0];
   EXPECT_LE(tuned["best"]["cost"].get<double>(), grid["mae"].get<double>());
-  // The range within 5 % comes from the whole curve: the grid's own, to a step of 0.2 m / 999.
+  // The range of good biases comes from the whole curve: the grid's own, to a step of 0.2 m / 999.
   double smallest = 1.0;
   double largest = 0.0;
   std::istringstream rows(text_of(folder_ / "grid/sweep.csv"));
@@ -45,11 +45,14 @@ TEST_F(Tune, Of_the_bias_alone_is_at_least_as_good_as_a_grid_of_a_thousand) {
     return std::count(before.begin(), before.end(), ',') + 1;
   };
   const auto mae = column("mae");
+  const auto pixels = column("pixels");
   while (std::getline(rows, row)) {
     std::istringstream cells(row);
     std::vector<double> numbers;
     for (std::string cell; std::getline(cells, cell, ',');) numbers.push_back(std::stod(cell));
-    if (numbers[static_cast<std::size_t>(mae)] > 1.05 * tuned["best"]["cost"].get<double>()) continue;
+    // Of one wrong pixel three more are chance.
+    const double limit = tuned["best"]["cost"].get<double>() + 3.0 / numbers[static_cast<std::size_t>(pixels)];
+    if (numbers[static_cast<std::size_t>(mae)] > limit + 1e-9) continue;
     smallest = std::min(smallest, numbers[0]);
     largest = std::max(largest, numbers[0]);
   }
@@ -189,6 +192,31 @@ TEST_F(Tune, Refuses_in_one_line_what_it_cannot_tune) {
   expect({"--light", "sun", "--vary", "shadow.esm-exponent=1:80"}, "shadow.technique pcf does not read it");
   expect({"--vary", "ao.gtao-falloff=0.1:0.9"}, "ao.technique ssao does not read it");
   expect(words(bias, {"--shadow.technique", "vsm", "--light", "sun", "--minimize", "acne"}), "report no 'acne'");
+}
+
+// The rule of compare and sweep: where a large bias costs nothing that the view shows, no bias is recommended.
+TEST_F(Tune, Where_no_bias_can_be_known_it_says_why) {
+  const auto answer = [&](const std::string& scene, const std::string& light, const std::string& size) {
+    return run_program({"tune", scene, "-o", folder_ / "unknown", "--force", "--light", light, "--size", size,
+                        "--no-figures", "--vary", "shadow.constant-bias=0texels:8texels"})
+        .out;
+  };
+  const std::string unshadowed = answer("tilted-plane", "sun-60", "96x54");
+  EXPECT_EQ(unshadowed.find("no bias recommended: no counted pixel is in shadow"), 0u) << unshadowed;
+  const std::string few = answer("contact-box", "sun", "9x5");
+  EXPECT_EQ(few.find("no bias recommended: only 26 counted pixels"), 0u) << few;
+}
+
+TEST_F(Tune, Names_the_bias_that_compare_recommends_where_the_best_point_is_another) {
+  const auto answer = [&](const std::vector<std::string>& command) {
+    return run_program(words(command, {"-o", folder_ / command.front(), "--size", "160x90", "--light", "lantern",
+                                       "--no-figures"}))
+        .out;
+  };
+  const std::string tuned = answer({"tune", "courtyard", "--vary", "shadow.constant-bias=0texels:8texels"});
+  EXPECT_NE(tuned.find("every case from 3.52 texels; use that one: "), std::string::npos) << tuned;
+  const std::string compared = answer({"compare", "courtyard", "--measure", "shadows"});
+  EXPECT_EQ(compared.find("lantern: use 3.52 texels"), 0u) << compared;
 }
 
 }  // namespace

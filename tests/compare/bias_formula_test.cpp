@@ -163,6 +163,9 @@ TEST(BiasFormula, Needs_more_points_than_unknowns_and_an_axis) {
   EXPECT_FALSE(fit_formula({}));
   EXPECT_FALSE(fit_formula(plane({0.01}, {1.0}, {0.0}, {1e-6}))) << "nothing varies";
   EXPECT_FALSE(fit_formula(plane({0.01, 0.02}, {1.0}, {0.0}, {1e-6}))) << "two texel sizes";
+  auto repeated = plane({0.01, 0.02}, {1.0}, {0.0}, {1e-6});
+  repeated.insert(repeated.end(), {repeated[0], repeated[1]});
+  EXPECT_FALSE(fit_formula(repeated)) << "the same two, each twice";
 }
 
 TEST(BiasFormula, Leaves_out_points_without_a_tangent_or_a_radius) {

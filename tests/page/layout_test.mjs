@@ -19,6 +19,8 @@ test('the tables of recommended biases fit into the page, and keep caption and b
     await scroll_of(page, name).evaluate((each) => (each.scrollLeft = each.scrollWidth));
     const box = await button.boundingBox();
     assert.ok(box.x > 0 && box.x + box.width < 420, JSON.stringify(box));
+    const caption = await page.getByRole('region', {name}).locator('.caption').boundingBox();
+    assert.ok(caption.x >= 0 && caption.x + caption.width <= 420, JSON.stringify(caption));
     assert.match(await scroll_of(page, name).evaluate((each) => getComputedStyle(each).backgroundAttachment), /local.*scroll/);
     await close();
   }
