@@ -138,7 +138,7 @@ TEST_F(ForEngines, A_note_that_holds_for_several_lights_is_said_once) {
   EXPECT_EQ(count(result.out, "note: unreal, not verified: "), 1) << result.out;
   EXPECT_EQ(count(result.out, "no formula is known here for a point light"), 1) << result.out;
   EXPECT_EQ(count(result.out, "no formula is known here for a spot light"), 1) << result.out;
-  EXPECT_EQ(count(text_of(folder_ / "out/index.html"), "<p>unreal, not verified: "), 1);
+  EXPECT_EQ(count(text_of(folder_ / "out/index.html"), "<p class=\"remark\">unreal, not verified: "), 1);
 }
 
 TEST_F(ForEngines, A_slope_bias_that_no_engine_has_is_left_out_of_its_error) {

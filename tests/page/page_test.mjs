@@ -197,7 +197,7 @@ test('a bias in the depth of the map is read in its own unit, in texels and as a
   // Three digits are shown.
   assert.ok(Math.abs(texels / shadow.constant_bias.texels - 1) < 0.005, `${texels}, not ${shadow.constant_bias.texels}`);
   assert.ok(Math.abs(length / (100 * shadow.constant_bias.m) - 1) < 0.005, `${length} cm, not ${shadow.constant_bias.m} m`);
-  assert.ok((await page.locator('svg.curve').innerHTML()).includes('constant bias [depth]'));
+  assert.ok((await page.locator('svg.curve').innerHTML()).includes("constant bias [of the map's depth]"));
   await close();
 });
 

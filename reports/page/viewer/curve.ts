@@ -107,7 +107,7 @@ export class Curve {
       free = this.x_of(i) + 28;
       text(this.x_of(i), bottom + 18, 'middle', value === 0 ? '0' : tick_text(value));
     });
-    text((margin.left + width - margin.right) / 2, height - 6, 'middle', `constant bias [${this.bias.unit === 'depth' ? "share of the map's depth" : this.bias.unit}]`);
+    text((margin.left + width - margin.right) / 2, height - 6, 'middle', `constant bias [${this.bias.unit === 'depth' ? "of the map's depth" : this.bias.unit}]`);
     const path = (value: (i: number) => number) =>
       axis.map((_, i) => `${i > 0 ? 'L' : 'M'}${this.x_of(i).toFixed(1)} ${y_of(value(i)).toFixed(1)}`).join('');
     this.inks.forEach((ink, c) => {
