@@ -133,21 +133,16 @@ ExitCode write_sweep(SweepRun& sweep, const ResultsStore& store, RunFolder& fold
   const Experiment& experiment = sweep.experiment;
   const std::vector<SweepAxis>& axes = sweep.axes;
   if (const std::string text = makers_text("cells", store.makers()); !text.empty()) stages.add_notes({text});
-  // The view does not move the map's range, and hardly its mean depth: with the view at hand nothing has to be drawn.
-  const auto depth_unit = [&](const std::vector<Value>& values) {
-    Experiment cell = cell_in_metres(stages, experiment, axes, values);
-    const std::uint32_t light = stages.lights(cell.view.light).front();
-    cell.view = experiment.view;
-    return mean_depth_unit(stages, cell, light);
-  };
   const auto measure_context = [&](const std::vector<Value>& values, bool with_facts) {
     BiasContext context;
-    context.depth_unit = depth_unit(values);
-    const Experiment cell = cell_in_metres(stages, experiment, axes, values);
+    Experiment cell = cell_in_metres(stages, experiment, axes, values);
     const std::uint32_t light = stages.lights(cell.view.light).front();
-    context.texels_differ = texels_differ(*stages.layout(cell, light));
     if (with_facts) context.facts = measure_bias_facts(stages, cell, light);
     if (!has_floor(stages.scene())) context.evidence = measure_bias_evidence(stages, cell, light);
+    // The view does not move the map's range, and hardly its mean depth: with the view at hand nothing has to be drawn.
+    cell.view = experiment.view;
+    context.depth_unit = mean_depth_unit(stages, cell, light);
+    context.texels_differ = texels_differ(*stages.layout(cell, light));
     return context;
   };
   const bool is_limit_fixed = sweep.quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");

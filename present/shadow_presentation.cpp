@@ -32,7 +32,8 @@ std::string counted_text(const CountedPixels& counted, bool is_soft, bool is_tra
   if (separator[0] == ',') text += ".";
   if (is_traced) {
     text +=
-        " Pixels and map are those of compare, but rays find the surface of a pixel here: a few at outlines differ.";
+        " The map is that of compare. Here rays find the surface of each pixel, there a rasteriser: a few pixels at "
+        "outlines differ.";
   }
   return text;
 }

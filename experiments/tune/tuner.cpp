@@ -60,6 +60,7 @@ void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& 
   }
   std::ranges::sort(cells, [](const BiasCell& a, const BiasCell& b) { return a.constant < b.constant; });
   result.evidence = evidence_of(in, result.best.values);
+  // Only this cost is a share of pixels, of which a few are chance.
   const bool is_share = result.goal.text == error_statistic && !result.goal.is_worst_case && !result.goal.is_relative;
   result.plateau = plateau_of(cells, {}, is_share ? result.evidence.pixels : 0);
   result.withheld = reason_against(*result.plateau, result.evidence);
