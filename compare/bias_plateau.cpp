@@ -80,4 +80,9 @@ std::optional<NoBias> reason_against(const BiasPlateau& plateau, const BiasEvide
   return std::nullopt;
 }
 
+std::optional<NoBias> reason_against_on_axis(const BiasPlateau& plateau, const BiasEvidence& evidence) {
+  const std::optional<NoBias> reason = reason_against(plateau, evidence);
+  return reason == NoBias::unbounded ? std::nullopt : reason;
+}
+
 }  // namespace umbrameter

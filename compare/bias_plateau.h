@@ -88,5 +88,7 @@ enum class NoBias : int { few_pixels, nothing_lit, nothing_blocked, no_receiver,
 /// where has_receiver() is false. Nor where the range has no end: it is open above, or open below and its smallest bias
 /// is the recommended one.
 std::optional<NoBias> reason_against(const BiasPlateau& plateau, const BiasEvidence& evidence);
+/// The same for a plateau along an axis that a user gave: a range that reaches its end may end beyond it.
+std::optional<NoBias> reason_against_on_axis(const BiasPlateau& plateau, const BiasEvidence& evidence);
 
 }  // namespace umbrameter

@@ -106,9 +106,7 @@ void add_plateaus(BiasCurves& curves, const SweepResults& sweep) {
                        to_number(row[4])});
     }
     curve.plateau = plateau_of(cells, {}, curve.evidence.pixels);
-    curve.withheld = reason_against(*curve.plateau, curve.evidence);
-    // A range that reaches the end of the axis may end beyond it.
-    if (curve.withheld == NoBias::unbounded) curve.withheld.reset();
+    curve.withheld = reason_against_on_axis(*curve.plateau, curve.evidence);
   }
 }
 

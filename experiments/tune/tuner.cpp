@@ -63,9 +63,7 @@ void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& 
   // Only this cost is a share of pixels, of which a few are chance.
   const bool is_share = result.goal.text == error_statistic && !result.goal.is_worst_case && !result.goal.is_relative;
   result.plateau = plateau_of(cells, {}, is_share ? result.evidence.pixels : 0);
-  result.withheld = reason_against(*result.plateau, result.evidence);
-  // A range that reaches the end of the axis may end beyond it.
-  if (result.withheld == NoBias::unbounded) result.withheld.reset();
+  result.withheld = reason_against_on_axis(*result.plateau, result.evidence);
 }
 
 bool differ(const std::vector<TuneAxis>& axes, const std::vector<Value>& a, const std::vector<Value>& b) {
