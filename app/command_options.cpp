@@ -203,7 +203,7 @@ void add_convert_options(CLI::App& command, CommandLine& line) {
 }
 
 void add_check_options(CLI::App& command, CheckOptions& check) {
-  command.add_option("DIR", check.folders, "folder of a finished compare or sweep; repeatable")->required();
+  command.add_option("DIR", check.folders, "folder of a finished compare, sweep or evaluate; repeatable")->required();
   add_value(command, "--budget", check.budget, "FILE", "budget file (TOML)")->required();
   command.add_flag("--update", check.update, "set the bounds to the present values with head room");
   add_value(command, "--junit", check.junit, "FILE", "write the result as JUnit XML");
@@ -211,9 +211,7 @@ void add_check_options(CLI::App& command, CheckOptions& check) {
 }
 
 void add_report_options(CLI::App& command, CommandLine& line) {
-  command
-      .add_option("DIR", line.report.folders,
-                  "folder of a finished compare or sweep; the first is the base of all differences")
+  command.add_option("DIR", line.report.folders, "folder of a finished run; the first is the base of all differences")
       ->required();
   add_value(command, "-o,--output", line.output, "DIR", "folder for the report, created if missing")->required();
   command.add_flag("--latex", line.report.latex, "write the tables as LaTeX (booktabs) to figures/*.tex, too");

@@ -140,8 +140,12 @@ constexpr const char* squared_maps = "map of rmse, psnr and edge-roughness: squa
 
 bool finds_few_edges(const std::vector<Measured>& all) {
   constexpr double few = 0.05;  // of the reference's edge points
-  return std::ranges::any_of(
-      all, [](const Measured& each) { return each.metric->name == "edges-found" && !(each.result.score >= few); });
+  return std::ranges::any_of(all, [](const Measured& each) {
+    const auto detail =
+        std::ranges::find(each.result.details, edges_in_both, [](const auto& pair) { return pair.first; });
+    return (each.metric->name == "edges-found" && !(each.result.score >= few)) ||
+           (detail != each.result.details.end() && !(detail->second >= few));
+  });
 }
 
 // The statistics are those of the map; the JSON has more of them, and all digits.

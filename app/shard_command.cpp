@@ -8,6 +8,7 @@
 
 #include "app/planned_folder.h"
 #include "app/print_json.h"
+#include "core/lists.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
 #include "store/merge_shards.h"
@@ -66,7 +67,8 @@ struct ShardRunner {
         cells,
         measurer->notes()};
     write_shard(shard_file(planned.folder, shard), manifest, rows);
-    print_line(console, fmt::format("shard {}: {} cells in {}", shard, cells, time_text(std::ceil(manifest.seconds))));
+    print_line(console, fmt::format("shard {}: {} in {}", shard, count_text(cells, "cell"),
+                                    time_text(std::ceil(manifest.seconds))));
   }
 };
 

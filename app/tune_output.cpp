@@ -4,9 +4,11 @@
 
 #include "app/tune_run.h"
 #include "core/interrupt.h"
+#include "core/lists.h"
 #include "experiments/measure/engine_advice.h"
 #include "experiments/sweep/page_cells.h"
 #include "experiments/tune/tune_judgement.h"
+#include "present/plateau_text.h"
 #include "present/run_output.h"
 #include "present/tune_report.h"
 #include "present/tune_text.h"
@@ -18,22 +20,39 @@
 namespace umbrameter {
 namespace {
 
-// What compare runs: the given experiment with the best values, over all lights and the first camera.
+bool has_other_bias(const TuneSummary& summary) { return values_to_use(summary) != summary.result.best.values; }
+
+// Which bias the file has, where it is not that of the best point.
+std::string bias_comment(const TuneSummary& summary) {
+  const TuneResult& result = summary.result;
+  if (result.withheld) {
+    return "# shadow.constant-bias is the given one; no bias recommended: " +
+           withheld_text(*result.withheld, result.evidence) + ".\n";
+  }
+  if (!has_other_bias(summary)) return {};
+  return "# shadow.constant-bias is the recommended one, with a cost within the range of the least and acne of at most "
+         "0.1 %;\n# the best point: " +
+         point_text(summary.axes, result.best.values) + ".\n";
+}
+
+// What compare runs: the given experiment with the values to use, over all lights and the first camera.
 std::string tuned_text(const TuneJob& job, const TuneSummary& summary) {
   Experiment tuned = job.experiments.front();
   if (are_all_equal(summary.result)) {
     return "# `umbrameter tune` found no difference between the points: these are the given values.\n" +
            experiment_text(tuned);
   }
+  const std::vector<Value> values = values_to_use(summary);
   for (std::size_t a = 0; a < job.axes.size(); ++a) {
-    set_value(describe(tuned), job.axes[a].axis, summary.result.best.values[a]);
+    if (summary.result.withheld && job.axes[a].key() == constant_bias_key) continue;
+    set_value(describe(tuned), job.axes[a].axis, values[a]);
   }
   const std::size_t cases = summary.cases.size();
   const std::string over =
       cases > 1 ? fmt::format(", {} of {} cases", summary.goal.is_worst_case ? "the worst" : "the mean", cases) : "";
   return fmt::format("# The best point of `umbrameter tune`: {} = {}{}.\n", cost_name(summary.goal),
                      cost_text(summary.goal, summary.result.best.score.cost), over) +
-         experiment_text(tuned);
+         bias_comment(summary) + experiment_text(tuned);
 }
 
 TuneResult search(TuneRun& run, TuneJournal& journal, const std::filesystem::path& folder, const Console& console) {
@@ -74,17 +93,38 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
                                     const TuneSummary& summary) {
   std::vector<CaseEngines> all;
   if (job.for_engines.empty()) return all;
+  if (summary.result.withheld) {
+    cases.front().stages->add_notes({"--for: nothing to convert, as no bias is recommended"});
+    return all;
+  }
   for (const TuneCase& each : cases) {
-    Experiment best = at_point(each, summary.axes, summary.result.best.values);
-    best.run.for_engines = job.for_engines;
+    Experiment tuned = at_point(each, summary.axes, values_to_use(summary));
+    tuned.run.for_engines = job.for_engines;
     Stages& stages = *each.stages;
-    if (stages.is_sampled(best, each.light) || !stages.capabilities(best).taps_independent_of_bias) {
-      stages.add_notes({no_engines_text(stages, best, each.light)});
+    if (stages.is_sampled(tuned, each.light) || !stages.capabilities(tuned).taps_independent_of_bias) {
+      stages.add_notes({no_engines_text(stages, tuned, each.light)});
       continue;
     }
-    all.push_back({each.title, advise_engines(stages, best, each.light)});
+    all.push_back({each.title, advise_engines(stages, tuned, each.light)});
   }
   return all;
+}
+
+// What the cost does not show.
+void add_caveats(const TuneRun& run, const RunResults& results) {
+  const TuneCase& first = run.cases.front();
+  const std::vector<SweepAxis> axes = mapped(run.job.axes, [](const TuneAxis& each) { return each.axis; });
+  std::vector<std::string> caveats;
+  if (first.quantity == SweptQuantity::visibility) {
+    const bool is_hard = std::ranges::any_of(
+        run.cases, [](const TuneCase& each) { return !each.stages->is_sampled(each.experiment, each.light); });
+    if (is_hard && varies_filter(axes)) caveats.emplace_back(filter_warning);
+    if (needs_biases(axes)) caveats.emplace_back(one_bias_warning);
+  }
+  if (first.quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance")) {
+    caveats.push_back("the reference is the same at every point: rays " + ao_limit_text(first.experiment.truth));
+  }
+  first.stages->add_notes(caveats);
 }
 
 std::vector<std::string> tune_files() {
@@ -126,6 +166,7 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   const TuneSummary& summary = results.tune->summary;
   results.tune->engines = engines_of(job, run.cases, summary);
   if (!line.no_figures) results.tune->points = measure_points(run.cases.front(), summary);
+  add_caveats(run, results);
   results.notes = run.notes();
   for (const std::string& text : measured.notes) {
     if (std::ranges::find(results.notes, text) == results.notes.end()) {
@@ -135,8 +176,11 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   RunOutput output;
   output.experiment_toml = experiment_of(job, line.tune);
   output.texts = {{tuned_file, tuned_text(job, summary)}, {"evaluations.csv", to_csv(evaluation_table(summary))}};
-  output.closing = {
-      fmt::format("tuned: {0}; run it with 'umbrameter compare -c {0} -o DIR'", (folder.path() / tuned_file).string())};
+  output.closing = {fmt::format("tuned: {0}{1}; run it with 'umbrameter compare -c {0} -o DIR'",
+                                (folder.path() / tuned_file).string(),
+                                summary.result.withheld   ? " with the given constant-bias"
+                                : has_other_bias(summary) ? " with " + point_text(summary.axes, values_to_use(summary))
+                                                          : "")};
   output.journal = journal_path;
   output.page = {make_figure_style(line.figures), !line.no_figures};
   return write_run(folder, console, std::move(results), std::move(output));

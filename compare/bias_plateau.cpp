@@ -39,8 +39,7 @@ std::optional<BiasPlateau> plateau_of(std::span<const BiasCell> cells, std::opti
   for (const BiasCell& cell : cells) errors.push_back(cell.mae);
   const auto least = static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin());
   const double of_share = std::max(plateau_limit(floor.value_or(errors[least])), errors[least]);
-  const double of_chance = pixels > 0 ? chance_pixels / static_cast<double>(pixels) : 0.0;
-  const double of_pixels = errors[least] <= of_chance ? errors[least] + of_chance : 0.0;
+  const double of_pixels = pixels > 0 ? errors[least] + chance_pixels / static_cast<double>(pixels) : 0.0;
   const double limit = std::max(of_share, of_pixels);
   const ConnectedRange range = connected_range(errors, least, limit);
   BiasPlateau plateau{cells[least], cells[range.first],  cells[range.last],

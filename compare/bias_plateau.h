@@ -26,12 +26,12 @@ struct ConnectedRange {
 /// The longest run of values around index `inside` of which none is above `limit`; NaN is above every limit.
 ConnectedRange connected_range(std::span<const double> values, std::size_t inside, double limit);
 
-/// Where the least error is that of so few pixels, so many more are chance. Rule of three: where none of N pixels is
-/// wrong, a share of 3/N of such pixels may be, with a probability of 5 %.
+/// So many wrong pixels more are chance. Rule of three: where none of N pixels is wrong, a share of 3/N of such pixels
+/// may be, with a probability of 5 %; where some are, more.
 inline constexpr double chance_pixels = 3.0;
 
 /// The plateau of an error curve: the connected range of biases around the one of least error (of equals the smallest)
-/// whose error is at most 5 % above the least, relative to it, or by chance_pixels where it is that of no more. The
+/// whose error is at most 5 % above the least, relative to it, or chance_pixels, whichever is more. The
 /// reference is binary, so that the curve is exact and the range needs no interval.
 ///
 /// Recommended is the smallest bias of the plateau whose acne is at most little_acne_share; if none has so little, the

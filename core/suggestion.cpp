@@ -46,7 +46,7 @@ std::optional<int> rank(std::string_view given, std::string_view name) {
   const std::string_view given_part = last_part(given);
   const std::string_view group = name.substr(0, name.size() - part.size());
   const bool is_other_group = group != given.substr(0, given.size() - given_part.size());
-  const int first = max_edits + 1 + (is_other_group ? 1 : 0);
+  const int first = max_edits + 1 + (is_other_group ? max_edits + 1 : 0);
   const auto words = words_of(part);
   const auto wanted = words_of(given_part);
   if (has_words(words, wanted, false)) return first;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -52,31 +53,45 @@ AxisEnd end_of(std::span<const double> values, double value, const Parameter& pa
 std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best,
                                     std::span<const std::size_t> listed_axes) {
   const SweepPlan& plan = sweep.plan;
+  const std::size_t mae = column_index(best, error_statistic);
   std::vector<OpenEnd> ends;
-  for (std::size_t r = 0; r < std::min(best.rows.size(), max_rows); ++r) {
-    const std::vector<Value>& row = best.rows[r];
-    const double error = to_number(row[column_index(best, error_statistic)]);
+  const auto add_end = [&](const std::vector<Value>& row, std::size_t a, const std::string& setting) {
+    const SweepAxis& axis = plan.axes[a];
+    const Parameter& parameter = require(sweep.parameters, axis.key);
+    if (!parameter.is_number()) return;
+    const std::vector<double> numbers = numbers_of(axis);
+    const AxisEnd end = end_of(numbers, to_number(row[a]), parameter);
+    if (end == AxisEnd::none) return;
     std::size_t cell = 0;
-    for (std::size_t a = 0; a < plan.axes.size(); ++a) cell += index_in(plan.axes[a], row[a]) * plan.strides[a];
-    for (std::size_t a = 0; a < plan.axes.size(); ++a) {
-      const SweepAxis& axis = plan.axes[a];
-      const Parameter& parameter = require(sweep.parameters, axis.key);
-      const bool is_listed = std::ranges::find(listed_axes, a) != listed_axes.end();
-      if (is_listed || !parameter.is_number()) continue;
-      const std::vector<double> numbers = numbers_of(axis);
-      const AxisEnd end = end_of(numbers, to_number(row[a]), parameter);
-      if (end == AxisEnd::none) continue;
-      const std::size_t index = index_in(axis, row[a]);
-      const std::size_t next = cell - index * plan.strides[a] + neighbour_of_end(numbers, index) * plan.strides[a];
-      const std::optional<double> beside = error_at(sweep, next);
-      if (!beside || !(*beside > error)) continue;
-      std::string setting;
-      for (const std::size_t t : listed_axes) {
-        const std::string& key = plan.axes[t].key;
-        setting += (setting.empty() ? "" : ", ") + key.substr(key.find('.') + 1) + " " + short_text(row[t]);
-      }
-      ends.push_back({axis.key, end, to_number(row[a]), axis.unit, std::move(setting)});
+    for (std::size_t b = 0; b < plan.axes.size(); ++b) cell += index_in(plan.axes[b], row[b]) * plan.strides[b];
+    const std::size_t index = index_in(axis, row[a]);
+    const std::size_t next = cell - index * plan.strides[a] + neighbour_of_end(numbers, index) * plan.strides[a];
+    const std::optional<double> beside = error_at(sweep, next);
+    if (beside && *beside > to_number(row[mae])) ends.push_back({axis.key, end, to_number(row[a]), axis.unit, setting});
+  };
+  const auto is_listed = [&](std::size_t a) { return std::ranges::find(listed_axes, a) != listed_axes.end(); };
+  for (std::size_t r = 0; r < std::min(best.rows.size(), max_rows); ++r) {
+    std::string setting;
+    for (const std::size_t t : listed_axes) {
+      const std::string& key = plan.axes[t].key;
+      setting += (setting.empty() ? "" : ", ") + key.substr(key.find('.') + 1) + " " + short_text(best.rows[r][t]);
     }
+    for (std::size_t a = 0; a < plan.axes.size(); ++a) {
+      if (!is_listed(a)) add_end(best.rows[r], a, setting);
+    }
+  }
+  // Each listed value has its own best cell; the best of these may lie at an end, too. Not where each has a bias of its
+  // own: there the listed axes, such as the resolution, are what a user compares.
+  const bool has_curves =
+      sweep.quantity() == SweptQuantity::visibility && (sweep.plan.constant_bias.axis || sweep.plan.slope_bias.axis);
+  if (best.rows.empty() || has_curves) return ends;
+  const auto error = [&](const std::vector<Value>& row) {
+    const double value = to_number(row[mae]);
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
+  const std::vector<Value>& least = *std::ranges::min_element(best.rows, {}, error);
+  for (std::size_t a = 0; a < plan.axes.size(); ++a) {
+    if (is_listed(a)) add_end(least, a, "");
   }
   return ends;
 }

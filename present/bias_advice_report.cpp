@@ -58,12 +58,12 @@ std::string advice_text(const BiasAdvice& advice) {
   if (keeps_bias(advice)) {
     const bool is_in_range =
         used.constant >= advice.plateau.first.constant && used.constant <= advice.plateau.last.constant;
-    return fmt::format("keep {}: error {}; {}{}{}", bias_text(advice, used), percent(used.mae),
-                       is_in_range ? "" : "as good as ", range, acne_left(used));
+    return fmt::format("keep bias {}: error {}; {}{}{}", bias_text(advice, used), percent(used.mae), range,
+                       is_in_range ? "" : ", and so is this one", acne_left(used));
   }
   // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= advice.plateau.limit;
-  return fmt::format("use {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended),
+  return fmt::format("use bias {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended),
                      is_for_acne && recommended.acne <= little_acne_share ? " for acne of at most 0.1 %" : "",
                      is_for_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
                      percent(used.mae), percent(recommended.mae), range, acne_left(recommended));

@@ -18,10 +18,8 @@ using Json = nlohmann::ordered_json;
 // For code: three significant digits without zeros at the end, and a minus that a compiler reads.
 std::string code_number(double number) {
   std::string text = fmt::format("{:.{}f}", number, std::max(decimals_of(number, 3), 0));
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text += '0';
-  }
+  if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text += '0';
   return number == 0.0 ? "0.0" : text;
 }
 
@@ -40,9 +38,11 @@ std::string settings_text(const BiasSpec& spec) {
     const BiasSetting& setting = spec.engine->settings[i];
     const double value = spec.settings.values[i];
     if (std::isnan(value)) continue;
-    std::string shown = fmt::format("{:.6g}{}", value, setting.unit == "m" ? " m" : "");
-    const auto choice = std::ranges::find(setting.choices, value, &std::pair<std::string_view, double>::second);
-    if (choice != setting.choices.end()) shown = fmt::format("{} (counts as {:g})", choice->first, value);
+    std::string shown;  // several choices may have one factor
+    for (const auto& [name, factor] : setting.choices) {
+      if (factor == value) shown += (shown.empty() ? "" : " or ") + std::string(name);
+    }
+    if (shown.empty()) shown = fmt::format("{:.6g}{}", value, setting.unit == "m" ? " m" : "");
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.name, shown);
   }
   return text;
@@ -234,18 +234,18 @@ std::vector<std::string> code_lines(const ConvertedTarget& target, bool has_rema
   std::vector<std::string> lines;
   const BiasEngine& engine = *target.spec.engine;
   for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
+    const BiasNumber& number = engine.numbers[n];
     const std::optional<std::vector<double>> values = set_values(target, n);
-    if (engine.numbers[n].code.empty() || !values || is_idle(target, n)) continue;
+    if (number.code.empty() || !values || is_idle(target, n)) continue;
     const std::string& own = target.conversions.front().numbers[n].code;
-    const std::string code = own.empty() ? std::string(engine.numbers[n].code) : own;
+    const std::string code = own.empty() ? std::string(number.code) : own;
     const bool is_each = sets_each_place(target);
     const bool has_equivalent = std::ranges::all_of(
         target.conversions, [&](const BiasConversion& each) { return each.numbers[n].value.has_value(); });
     const std::optional<ChosenValue> chosen = choose_value(target, n);
-    const BiasNumber& number = engine.numbers[n];
     std::string remark = has_equivalent ? "" : "no equivalent";
     if (chosen && (chosen->value < number.min || chosen->value > number.max)) {
-      remark = fmt::format("its limit; the bias needs {}", code_number(chosen->value));
+      remark = fmt::format("its limit; the bias would need {}", code_number(chosen->value));
     }
     remark = has_remarks && !remark.empty() ? fmt::format("  {} {}", engine.comment, remark) : "";
     for (std::size_t i = 0; i < (is_each ? values->size() : 1); ++i) {

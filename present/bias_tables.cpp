@@ -134,7 +134,7 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
   }
   const BiasCell& recommended = plateau.recommended;
   std::string text =
-      fmt::format("use {}: error {}; {}", bias_text(curves, curve, recommended), percent(recommended.mae),
+      fmt::format("use bias {}: error {}; {}", bias_text(curves, curve, recommended), percent(recommended.mae),
                   range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis));
   if (!plateau.has_little_acne()) text += fmt::format("; acne of {} remains", percent(recommended.acne));
   if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";

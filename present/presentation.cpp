@@ -31,6 +31,7 @@ std::string ao_technique_text(const AoParams& params) {
 struct AoErrorText {
   std::string absolute;
   std::string with_sign;
+  bool has_interval = false;
 };
 // Less is the rounding of equal images, and of rays that all escape.
 bool is_measurable(const SampledError& error) { return !(error.mae.upper < 1e-6); }
@@ -47,7 +48,7 @@ AoErrorText error_text(const SampledError& error) {
   const bool is_shown = half_width >= 0.5 * std::pow(10.0, -decimals);
   const std::string interval = is_shown ? fmt::format(" ± {:.{}f}", half_width, decimals) : "";
   return {fmt::format("{:.{}f} to {:.{}f} %", 100.0 * absolute.lower, decimals, 100.0 * absolute.upper, decimals),
-          with_sign(fmt::format("{:.{}f}{} %", 100.0 * mean.value, decimals, interval))};
+          with_sign(fmt::format("{:.{}f}{} %", 100.0 * mean.value, decimals, interval)), true};
 }
 
 std::string shown_unit(const Column& column) { return column.unit == "1" ? "%" : column.unit; }
@@ -281,10 +282,8 @@ void add_without_ao(Presentation& presentation, double error, double mean_truth)
     presentation.lines.push_back("  without any AO the error would be " + percent(without));
     presentation.section.text += "\n\nWithout any AO the error would be " + percent(without) + ".";
   } else {
-    presentation.answers.push_back(
-        fmt::format("warning: without any AO the error would be no larger, {}: choose a view or a distance with more "
-                    "occlusion",
-                    percent(without)));
+    presentation.answers.push_back(fmt::format(
+        "warning: no AO at all would be as close to the reference or closer: its error is {}", percent(without)));
   }
 }
 
@@ -314,7 +313,8 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
     return presentation;
   }
   if (ao.statistics->error.pixels == 0) {
-    presentation.answers.emplace_back("AO: nothing to measure: all pixels are background");
+    presentation.answers.emplace_back(
+        "AO: nothing to measure: all pixels are background; choose another view with --camera");
     section.text += "\n\nNothing to measure: all pixels are background.";
     return presentation;
   }
@@ -341,8 +341,9 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
   const std::string of = renderer.empty() ? technique + " radius " + radius : renderer;
-  presentation.answers.push_back(fmt::format("AO: mean absolute error {}, mean signed error {} ({}, reference rays {})",
-                                             text.absolute, text.with_sign, of, limit));
+  presentation.answers.push_back(
+      fmt::format("AO: mean absolute error {}, mean signed error {} ({}{}, reference rays {})", text.absolute,
+                  text.with_sign, text.has_interval ? "95 %, over rays; " : "", of, limit));
   add_without_ao(presentation, s.mae.value, s.mean_truth.value);
   return presentation;
 }

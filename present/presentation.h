@@ -56,10 +56,14 @@ inline constexpr const char* filter_caution =
     "The reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong, so the mean "
     "absolute error always favours no filter: use it to choose a bias or a resolution, not a filter.";
 
-/// The same, for the answers of a sweep over filters.
+/// The same, for the answers of a sweep or tuning over filters.
 inline constexpr const char* filter_warning =
     "against a hard shadow every blurred pixel is wrong, so the least error does not show which filter is best; give "
     "the light a size (--light.angle, --light.radius), or vary with --run.metrics edge-roughness";
+
+/// Of a sweep or tuning over the reach of the filter, with one bias.
+inline constexpr const char* one_bias_warning =
+    "each filter needs its own bias, but all have the same one: vary shadow.constant-bias, too";
 
 /// Why statistics count no pixel: "nothing to measure: all 230400 pixels are background". Empty if they count some.
 std::string nothing_counted_text(const CountedPixels& counted);

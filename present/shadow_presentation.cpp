@@ -104,7 +104,9 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
   section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(fmt::format(
       "{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}; no bias "
-      "recommended: this technique does not sum depth comparisons",
+      "recommended: acne is only told apart in sums of depth comparisons, such as PCF; umbrameter tune finds the bias "
+      "of "
+      "least error",
       title, percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away), percent(s.too_bright_away),
       percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
 }
@@ -124,7 +126,7 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
                                 : "\n\nThis is an area light. Its reference is the visible share of the light";
   section.text +=
       ", so a single tap is neither right nor wrong and has no cause of error. The error is split into too dark and "
-      "too bright instead. Causes need a binary reference: truth.shadow point.";
+      "too bright instead. Causes need a binary reference: --truth.shadow point takes the light's centre alone.";
   if (s.error.max_x >= 0) {
     section.text += fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.error.max_error),
                                 s.error.max_x, s.error.max_y);
@@ -139,11 +141,13 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V)); no bias recommended: a "
-      "tap is neither right nor wrong under a soft reference; the hard one says which ({})",
+      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the lit share of the "
+      "{}); "
+      "no bias recommended: acne is only told apart in a hard shadow ({}); umbrameter tune finds the bias of least "
+      "error",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
-      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra),
+      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra), is_over_pixel ? "pixel" : "light",
       is_over_pixel ? "--truth.shadow point" : flags_without_extent(shadow.emitter)));
 }
 

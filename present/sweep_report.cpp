@@ -246,24 +246,8 @@ std::string error_text(const Table& table, const std::vector<Value>& row) {
 
 // Whether the cells differ in their filter, and are measured against a hard shadow.
 bool compares_filters(const SweepResults& sweep) {
-  const bool is_hard = sweep.quantity() == SweptQuantity::visibility &&
-                       !std::holds_alternative<SoftVisibilityStatistics>(sweep.statistics);
-  return is_hard &&
-         (varies_group(sweep.plan.axes, "shadow.filter") || varies_group(sweep.plan.axes, "shadow.technique"));
-}
-
-constexpr const char* one_bias_warning =
-    "each filter needs its own bias, but all cells have the same one: vary shadow.constant-bias, too";
-
-// Whether the cells differ in the reach of their filter, and have one constant bias.
-bool needs_biases(const SweepResults& sweep) {
-  const auto is_of_filter = [](const SweepAxis& axis) {
-    constexpr std::array<std::string_view, 4> keys = {"shadow.technique", "shadow.filter", "shadow.filter-size",
-                                                      "shadow.filter-radius"};
-    return axis.values.size() > 1 && std::ranges::find(keys, axis.key) != keys.end();
-  };
-  return sweep.quantity() == SweptQuantity::visibility && !sweep.plan.constant_bias.axis &&
-         std::ranges::any_of(sweep.plan.axes, is_of_filter);
+  return sweep.quantity() == SweptQuantity::visibility &&
+         !std::holds_alternative<SoftVisibilityStatistics>(sweep.statistics) && varies_filter(sweep.plan.axes);
 }
 
 // Whether every cell has the same value in each measured column.
@@ -344,7 +328,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     section.text += "The reference looks for occluders " + sweep.ao_limit + " in every cell.";
   const bool ranks_filters = compares_filters(sweep);
   if (ranks_filters) section.text += "\n\n" + std::string(filter_caution);
-  const bool has_one_bias = !is_flat && needs_biases(sweep);
+  const bool has_one_bias = !is_flat && sweep.quantity() == SweptQuantity::visibility && needs_biases(sweep.plan.axes);
   if (has_one_bias) section.text += "\n\nWarning: " + std::string(one_bias_warning) + ".";
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (is_flat) {
@@ -374,11 +358,17 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   if (has_one_bias) presentation.answers.push_back("warning: " + std::string(one_bias_warning));
   for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
   if (curves) return presentation;
+  const std::vector<std::size_t> listed = listed_axes(sweep);
+  std::vector<std::size_t> others;
+  for (std::size_t a = 0; a < axes; ++a) {
+    if (std::ranges::find(listed, a) == listed.end()) others.push_back(a);
+  }
   for (const std::vector<Value>& row : best.rows) {
     if (presentation.lines.size() > 8) break;
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
-    presentation.lines.push_back(fmt::format("  of {}: least error {} at {}", row_text(sweep, row, listed_axes(sweep)),
-                                             error_text(best, row), cell_text(sweep, row)));
+    presentation.lines.push_back(fmt::format("  {}: least error {}{}", row_text(sweep, row, listed),
+                                             error_text(best, row),
+                                             others.empty() ? "" : " at " + row_text(sweep, row, others)));
   }
   return presentation;
 }

@@ -1,7 +1,9 @@
 #include <nlohmann/json.hpp>
 
+#include "present/plateau_text.h"
 #include "present/tune_comparison.h"
 #include "present/tune_report.h"
+#include "present/tune_sensitivity.h"
 #include "present/tune_text.h"
 #include "reports/files/value_json.h"
 
@@ -104,6 +106,11 @@ Json to_json(const TuneSummary& summary) {
   json["best"]["cost_95"] = estimate_json(summary.judgement.best);
   json["default"] = point_json(summary, summary.cases, result.before);
   json["best_minus_default"] = estimate_json(summary.judgement.against_before);
+  if (result.plateau) {
+    add_plateau(json["recommended_bias"], *result.plateau, result.evidence, result.withheld, [](const BiasCell& cell) {
+      return Json{{"constant_bias", cell.constant}, {"cost", cell.mae}, {"acne", cell.acne}};
+    });
+  }
   if (result.runner_up) {
     json["runner_up"] = point_json(summary, summary.cases, *result.runner_up);
     json["best_minus_runner_up"] = estimate_json(summary.judgement.against_runner_up);

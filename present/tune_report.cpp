@@ -12,6 +12,7 @@
 #include "present/plot_axes.h"
 #include "present/presentation_parts.h"
 #include "present/tune_comparison.h"
+#include "present/tune_sensitivity.h"
 #include "present/tune_text.h"
 #include "reports/files/text_layout.h"
 
@@ -46,7 +47,9 @@ std::string judged(const TuneGoal& goal, std::optional<Estimate> difference, dou
   const double value = difference ? difference->value : plain;
   if (!std::isfinite(value)) return "the best point cannot be compared";
   if (difference && value < 0.0) difference = {-value, -difference->upper, -difference->lower};
-  const char* is_significant = !difference ? ", not tested" : difference->lower > 0.0 ? "" : ", not significantly";
+  const char* is_significant = !difference               ? ", without a test of significance"
+                               : difference->lower > 0.0 ? ""
+                                                         : ", not significantly";
   return fmt::format("the best point is {}{}, by {}{}", difference && difference->lower > 0.0 ? "significantly " : "",
                      value < 0.0 ? "better" : "worse", difference_text(goal, std::abs(value), difference),
                      is_significant);
@@ -93,56 +96,6 @@ Table case_table(const TuneSummary& summary) {
   return table;
 }
 
-// Which ends of the axis a range reaches, where the axis could go on: "upper end of the axis".
-std::string ends_text(const TuneAxis& axis, const std::pair<Value, Value>& range) {
-  Experiment experiment;
-  const Parameters parameters = describe(experiment);
-  const std::vector<double> values = mapped(axis.axis.values, [](const Value& each) { return to_number(each); });
-  std::vector<std::string> ends;
-  for (const Value& value : {range.first, range.second}) {
-    const AxisEnd end = end_of(values, to_number(value), require(parameters, axis.key()));
-    if (end != AxisEnd::none) ends.emplace_back(end == AxisEnd::lower ? "lower" : "upper");
-  }
-  if (ends.empty()) return {};
-  return ends.size() > 1 && ends[0] != ends[1] ? "both ends of the axis" : ends[0] + " end of the axis";
-}
-
-std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
-  const TuneAxis& axis = summary.axes[scan.axis];
-  const auto range = range_within(summary, scan);
-  if (!range) return "—";
-  std::string ends = ends_text(axis, *range);
-  if (!ends.empty()) ends = " (" + ends + ")";
-  if (range->first == range->second) return "only " + value_text(axis, range->first) + ends;
-  return fmt::format("{} to {}{}", value_text(axis, range->first), value_text(axis, range->second), ends);
-}
-
-// The largest cost along the axis, in multiples of the least.
-std::string worst_text(const TuneSummary& summary, const AxisScan& scan) {
-  double worst = summary.result.best.score.cost;
-  for (const TunePoint& point : scan.points) {
-    if (std::isfinite(point.score.cost)) worst = std::max(worst, point.score.cost);
-  }
-  return cost_text(summary.goal, worst);
-}
-
-Table sensitivity_table(const TuneSummary& summary) {
-  Table table{{{"parameter", "", "varied; the others keep their best values"},
-               {"axis", "", "values that were allowed"},
-               {"best", "", "value of least cost"},
-               {"within 5 %", "",
-                "range around it in which the cost is at most 5 % higher: of a constant bias from its whole "
-                "curve, else of the measured values"},
-               {"highest cost", "", "on the measured values of the axis"}},
-              {}};
-  for (const AxisScan& scan : summary.result.scans) {
-    const TuneAxis& axis = summary.axes[scan.axis];
-    table.rows.push_back({axis.key(), axis.axis.text, value_text(axis, summary.result.best.values[scan.axis]),
-                          tolerance_text(summary, scan), worst_text(summary, scan)});
-  }
-  return table;
-}
-
 std::vector<std::string> lines_of(const Table& table) {
   std::vector<std::vector<std::string>> rows(1);
   for (const Column& column : table.columns) rows.front().push_back(column.name);
@@ -173,10 +126,29 @@ Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& fron
   return table;
 }
 
+// "acne 0.0235 % in courtyard, camera overview, sun".
+std::string broken_text(const TuneSummary& summary) {
+  const TunePoint& best = summary.result.best;
+  std::string text;
+  for (const TuneConstraint& constraint : summary.goal.constraints) {
+    if (constraint.axis) continue;
+    const auto violation = [&](const CaseValues& values) {
+      return violation_of(constraint, values[constraint.column]);
+    };
+    const auto worst = std::ranges::max_element(best.cases, {}, violation);
+    if (worst == best.cases.end() || violation(*worst) == 0.0) continue;
+    const Column& column = summary.goal.columns[constraint.column];
+    text += fmt::format("{}{} {} in {}", text.empty() ? "" : "; ", column.name,
+                        statistic_text((*worst)[constraint.column], column.unit),
+                        summary.cases[static_cast<std::size_t>(worst - best.cases.begin())]);
+  }
+  return text;
+}
+
 std::string constraint_line(const TuneSummary& summary) {
   if (summary.goal.constraints.empty()) return {};
   if (!summary.result.best.score.is_kept())
-    return "no point keeps every constraint in every case; this one breaks them least";
+    return "no point keeps every constraint in every case; this one breaks them least: " + broken_text(summary);
   return "every constraint is kept in every case";
 }
 
@@ -189,12 +161,8 @@ std::string bias_range_text(const TuneSummary& summary) {
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
-  text += fmt::format("; acne at most 0.1 % in every case from {}", value_text(*axis, plateau.recommended.constant));
-  const double best = to_number(summary.result.best.values[static_cast<std::size_t>(axis - summary.axes.begin())]);
-  if (best < plateau.recommended.constant) text += "; the best point has more: --constraint 'acne<0.1%' avoids that";
-  if (best > plateau.recommended.constant && !summary.result.withheld)
-    text += "; use that one: a larger bias detaches shadows that these views may not show";
-  return text;
+  return text +
+         fmt::format("; acne at most 0.1 % in every case from {}", value_text(*axis, plateau.recommended.constant));
 }
 
 std::string method_text(const TuneSummary& summary) {
@@ -233,10 +201,21 @@ std::vector<std::string> idle_axes(const TuneSummary& summary) {
 void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) {
   const TuneResult& result = summary.result;
   const TuneGoal& goal = summary.goal;
-  if (result.withheld) answers.push_back("no bias recommended: " + withheld_text(*result.withheld, result.evidence));
+  const char* best = "best";
+  if (result.withheld) {
+    answers.push_back("no bias recommended: " + withheld_text(*result.withheld, result.evidence));
+    best = "best point, whose bias is not recommended";
+  } else if (const std::vector<Value> values = values_to_use(summary); values != result.best.values) {
+    answers.push_back(
+        "use " + point_text(summary.axes, values) +
+        ": the smallest bias of the range with acne of at most 0.1 % in every case; a larger one detaches "
+        "shadows that these views may not show");
+    best = "best point, of least cost";
+  }
   answers.push_back(fmt::format(
-      "best: {}: {} {}{}{}", point_text(summary.axes, result.best.values), cost_words(goal),
-      cost_text(goal, result.best.score.cost, summary.judgement.best), summary.judgement.best ? " (95 % interval)" : "",
+      "{}: {}: {} {}{}{}", best, point_text(summary.axes, result.best.values), cost_words(goal),
+      cost_text(goal, result.best.score.cost, summary.judgement.best),
+      summary.judgement.best ? " (95 % interval, over pixels and rays)" : "",
       summary.cases.size() == 1
           ? ""
           : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));
@@ -271,22 +250,6 @@ bool are_all_equal(const TuneResult& result) {
     return std::ranges::all_of(points, [&](const TunePoint& point) { return have_equal_scores(point, result.before); });
   };
   return result.points.size() + result.curve.size() > 1 && are_equal(result.points) && are_equal(result.curve);
-}
-
-std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, const AxisScan& scan) {
-  const TuneAxis& axis = summary.axes[scan.axis];
-  if (axis.is_word() || scan.points.empty() || !summary.result.best.score.is_kept()) return std::nullopt;
-  const std::optional<BiasPlateau>& plateau = summary.result.plateau;
-  if (plateau && axis.key() == constant_bias_key)
-    return std::pair<Value, Value>{plateau->first.constant, plateau->last.constant};
-  std::vector<double> costs;
-  std::size_t inside = 0;
-  for (const TunePoint& point : scan.points) {
-    if (point.values[scan.axis] == summary.result.best.values[scan.axis]) inside = costs.size();
-    costs.push_back(point.score.is_kept() ? point.score.cost : std::numeric_limits<double>::infinity());
-  }
-  const ConnectedRange range = connected_range(costs, inside, plateau_limit(summary.result.best.score.cost));
-  return std::pair{scan.points[range.first].values[scan.axis], scan.points[range.last].values[scan.axis]};
 }
 
 std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<TunePoint>& points) {

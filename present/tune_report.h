@@ -2,19 +2,13 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "present/presentation.h"
 #include "results/tune_results.h"
 
 namespace umbrameter {
-
-/// The connected range of an axis of numbers around its best value in which the cost is at most 5 % above the least: of
-/// an exact constant bias from its whole curve, else between the measured values.
-std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, const AxisScan& scan);
 
 /// Points of which none is better in every objective: each statistic of the cost, and each constrained one. Ordered by
 /// the first objective; one point where there is one objective.

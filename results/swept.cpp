@@ -1,6 +1,7 @@
 #include "results/swept.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/error.h"
 
@@ -44,6 +45,19 @@ bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group) {
   return std::ranges::any_of(axes, [&](const SweepAxis& axis) { return axis.key.rfind(group, 0) == 0; });
 }
 
+bool varies_filter(const std::vector<SweepAxis>& axes) {
+  return varies_group(axes, "shadow.filter") || varies_group(axes, "shadow.technique");
+}
+
+bool needs_biases(const std::vector<SweepAxis>& axes) {
+  constexpr std::array<std::string_view, 4> keys = {"shadow.technique", "shadow.filter", "shadow.filter-size",
+                                                    "shadow.filter-radius"};
+  const bool has_biases = std::ranges::find(axes, constant_bias_key, &SweepAxis::key) != axes.end();
+  return !has_biases && std::ranges::any_of(axes, [&](const SweepAxis& axis) {
+    return axis.values.size() != 1 && std::ranges::find(keys, axis.key) != keys.end();
+  });
+}
+
 SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& axes) {
   if (given == SweepMeasure::visibility) return SweptQuantity::visibility;
   if (given == SweepMeasure::ao) return SweptQuantity::ao;
@@ -57,7 +71,7 @@ SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& 
            (axis.key.starts_with("engine.") && !is_engine_ao(axis.key));
   });
   if (ao && shadows) {
-    throw Error(ExitCode::usage, "sweep", "the axes vary both shadows and ambient occlusion",
+    throw Error(ExitCode::usage, "--vary", "the axes vary both shadows and ambient occlusion",
                 "choose what to measure: --measure visibility, ao or image");
   }
   return ao ? SweptQuantity::ao : SweptQuantity::visibility;

@@ -20,6 +20,11 @@ SweptQuantity quantity_of(const CellStatistics& statistics);
 /// Whether an axis varies a parameter whose name begins with `group`: "ao.", "view.scene".
 bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group);
 
+/// Whether an axis varies the filter of shadows, or their technique.
+bool varies_filter(const std::vector<SweepAxis>& axes);
+/// Whether an axis varies the reach of the filter, while the constant bias stays the same.
+bool needs_biases(const std::vector<SweepAxis>& axes);
+
 /// The quantity that the axes affect, unless `given` selects one. Throws Error (usage) if they vary
 /// both shadows and AO.
 SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& axes);

@@ -62,7 +62,8 @@ TuneConstraint make_constraint(TuneGoal& goal, const std::string& text, const st
   return constraint;
 }
 
-// By how much a value breaks a bound, relative to the bound; 0 if it keeps it.
+}  // namespace
+
 double violation_of(const TuneConstraint& constraint, double value) {
   if (constraint.condition.is_magnitude) value = std::abs(value);
   const Relation relation = constraint.condition.bound.relation;
@@ -71,8 +72,6 @@ double violation_of(const TuneConstraint& constraint, double value) {
   constexpr double least_scale = 1e-4;  // of a bound of 0
   return 1e-9 + std::abs(value - constraint.bound) / std::max(std::abs(constraint.bound), least_scale);
 }
-
-}  // namespace
 
 TuneGoal make_goal(const std::string& cost, const std::vector<std::string>& constraints, const std::string& kind,
                    const std::vector<TuneAxis>& axes, bool worst_case) {

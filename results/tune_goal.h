@@ -80,6 +80,8 @@ double cost_of(const TuneGoal& goal, const CaseValues& values);
 bool has_negative_costs(const TuneGoal& goal);
 /// The mean of the cases' costs, or the largest; of a relative goal, in multiples of the default's.
 double total_cost(const TuneGoal& goal, const std::vector<CaseValues>& cases);
+/// By how much a value breaks a bound, relative to the bound; 0 if it keeps it.
+double violation_of(const TuneConstraint& constraint, double value);
 TuneScore score_of(const TuneGoal& goal, const std::vector<Value>& point, const std::vector<CaseValues>& cases);
 /// Whether the cost or a constraint takes the magnitude of a column.
 bool is_magnitude(const TuneGoal& goal, std::size_t column);

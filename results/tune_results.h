@@ -84,4 +84,11 @@ struct TuneSummary {
   TuneJudgement judgement;
 };
 
+/// The constant bias that the rule of every command recommends, in its axis's unit; nothing where it is not on an axis,
+/// where none can be recommended, and where each of the range leaves acne.
+std::optional<double> recommended_bias(const TuneResult& result);
+
+/// The values to use, as a point: the best one's, with recommended_bias() in place of its constant bias.
+std::vector<Value> values_to_use(const TuneSummary& summary);
+
 }  // namespace umbrameter

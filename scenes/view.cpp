@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "scenes/fitted_camera.h"
 #include "scenes/light.h"
 #include "scenes/selection.h"
@@ -53,10 +54,11 @@ std::size_t select(const std::vector<Named>& items, const std::string& wanted, c
   }
   std::vector<std::size_t> all(items.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const std::string remedy = items.empty()
-                                 ? "omit --" + kind + " to use a default " + kind
-                                 : "it has " + listed(items, all) + ": give an index or a name, or omit --" + kind +
-                                       (wanted == "all" ? "; of a sweep vary view." + kind + "=A,B" : "");
+  const std::string remedy = items.empty() ? "omit --" + kind + " to use a default " + kind
+                             : wanted == "all"
+                                 ? "a sweep lists them: --vary view." + kind + "=" +
+                                       joined(all, ",", [](std::size_t i) { return std::to_string(i); })
+                                 : "it has " + listed(items, all) + ": give an index or a name, or omit --" + kind;
   throw Error(ExitCode::usage, what, "the scene has no such " + kind, remedy);
 }
 

@@ -120,6 +120,11 @@ std::vector<BudgetEntry> budget_for(const std::vector<MeasuredStatistic>& measur
   for (const MeasuredStatistic& each : measured) {
     const KnownStatistic* known = find_known(each.kind, each.name);
     if (known == nullptr || !known->is_error || !std::isfinite(each.value)) continue;
+    const bool is_repeated = std::ranges::any_of(budget, [&](const BudgetEntry& other) {
+      return other.statistic == each.name && other.scene == each.scene && other.kind == each.kind &&
+             other.light == each.light;
+    });
+    if (is_repeated) continue;  // of another run of the scene
     BudgetEntry entry;
     entry.statistic = each.name;
     entry.is_magnitude = is_signed_error(each.name);
@@ -145,6 +150,12 @@ std::vector<MeasuredStatistic> read_statistics(const std::string& text, const st
   try {
     MeasuredStatistic part;
     part.scene = summary["scene"].value("name", "");
+    const Json cell = summary.value("cell", Json::object());
+    for (const auto& [key, value] : cell.items()) {
+      if (!key.starts_with("view.") && !key.starts_with("scene.")) continue;
+      part.view +=
+          (part.view.empty() ? "" : ", ") + key + " " + (value.is_string() ? value.get<std::string>() : value.dump());
+    }
     for (const Json& shadow : summary.value("shadows", Json::array())) {
       part.kind = "shadow";
       part.light = shadow.value("light", "");
@@ -159,6 +170,10 @@ std::vector<MeasuredStatistic> read_statistics(const std::string& text, const st
     }
   } catch (const Json::exception&) {
     refuse("is damaged");
+  }
+  if (all.empty() && summary.contains("tuning")) {
+    throw Error(ExitCode::unreadable_input, file, "is of a tuning, whose points are not compared here",
+                "measure its result first: umbrameter compare -c tuned.toml -o DIR");
   }
   if (all.empty()) refuse("holds no statistics, because the run compared nothing");
   return all;
@@ -224,9 +239,25 @@ std::vector<BudgetEntry> budgets_of(const std::vector<std::string>& fail_if) {
   return budget;
 }
 
+std::vector<MeasuredStatistic> unbounded(const std::vector<BudgetEntry>& budget,
+                                         const std::vector<MeasuredStatistic>& measured) {
+  const auto is_same_run = [](const MeasuredStatistic& a, const MeasuredStatistic& b) {
+    return a.run == b.run && a.scene == b.scene;
+  };
+  std::vector<MeasuredStatistic> all;
+  for (const MeasuredStatistic& each : measured) {
+    const bool is_bounded = std::ranges::any_of(measured, [&](const MeasuredStatistic& other) {
+      return is_same_run(each, other) &&
+             std::ranges::any_of(budget, [&](const BudgetEntry& entry) { return names(entry, other); });
+    });
+    if (!is_bounded) all.push_back(each);
+  }
+  return all;
+}
+
 std::vector<BudgetEntry> update_budget(std::vector<BudgetEntry> budget,
                                        const std::vector<MeasuredStatistic>& measured) {
-  if (budget.empty()) budget = budget_for(measured);
+  std::ranges::copy(budget_for(unbounded(budget, measured)), std::back_inserter(budget));
   for (BudgetEntry& entry : budget) {
     if (!entry.place.empty()) require_known(entry, measured);
     std::vector<const MeasuredStatistic*> named;

@@ -21,6 +21,7 @@ struct MeasuredStatistic {
   std::string kind;   ///< "shadow", "ao" or "image"
   std::string light;  ///< name; empty unless of a shadow
   int light_index = -1;
+  std::string view;  ///< of a sweep over views the one of least error, the only one in its summary; else empty
   std::string name;
   std::string unit;          ///< empty if it is not a known statistic
   double value = 0.0;        ///< NaN if nothing was measured
@@ -56,8 +57,12 @@ std::vector<GateCheck> check_budget(const std::vector<BudgetEntry>& budget,
 /// The conditions under which a run fails, as budgets: acne>0.1% becomes acne <= 0.1%.
 std::vector<BudgetEntry> budgets_of(const std::vector<std::string>& fail_if);
 
+/// The statistics of runs of which the budget bounds none.
+std::vector<MeasuredStatistic> unbounded(const std::vector<BudgetEntry>& budget,
+                                         const std::vector<MeasuredStatistic>& measured);
+
 /// Sets the bounds to the measured values with their head room, rounded away from it. A budget over several statistics
-/// takes the worst. Without any budget, makes one for each error of the runs.
+/// takes the worst. A run of which it bounds nothing gets a bound for each of its errors.
 std::vector<BudgetEntry> update_budget(std::vector<BudgetEntry> budget, const std::vector<MeasuredStatistic>& measured);
 
 }  // namespace umbrameter

@@ -125,7 +125,9 @@ const BiasEngine& require_bias_engine(std::string_view name) {
   const std::string similar = suggestion(similar_names(std::string(name), names));
   const bool is_length = !name.empty() && name.find_first_not_of("+-.0123456789") > 0;
   throw Error(ExitCode::usage, quoted(name), name.empty() ? "no engine named" : "unknown engine or unit",
-              is_length         ? "write a length as metres:0.02 or texels:2"
+              is_length ? "write a length as metres:0.02 or texels:2"
+              : name.find('=') != std::string_view::npos
+                  ? "write a length as texels:2, and an engine's numbers as godot:bias=0.1"
               : similar.empty() ? "known are " + all
                                 : similar);
 }

@@ -257,7 +257,7 @@ std::vector<BiasEngine> unity() {
        .note =
            "in addition every caster is drawn with polygon offset factor 2.5, units 1. The light's numbers are read "
            "only if its bias is set to Custom, else those of the pipeline asset",
-       .unverified = "(1 − cos θ), from ApplyShadowBias in Shadows.hlsl, was read in copies",
+       .unverified = "(1 − cos θ) of ApplyShadowBias is from copies of Shadows.hlsl, not from Unity's own source",
        .polygon_factor = 2.5,
        .polygon_units = 1.0},
       {.name = "unity-hdrp",

@@ -2,6 +2,7 @@
 // counted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -96,6 +97,14 @@ TEST_F(Answers, An_axis_that_ends_too_early_is_said_to_and_its_end_is_not_called
   EXPECT_NE(tuned.find("warning: shadow.constant-bias: the best value "), std::string::npos) << tuned;
   EXPECT_NE(tuned.find(" texels is the lower end of the axis"), std::string::npos) << tuned;
 
+  // The end of either of two axes.
+  for (const char* samples : {"ao.samples=16,64", "ao.samples=16,32,64,128"}) {
+    const std::string both =
+        run({"sweep", "corner", "--no-figures", "--vary", "ao.radius=0.1,0.2,0.4", "--vary", samples}, samples);
+    EXPECT_NE(both.find("ao.radius: the error still falls at the lower end of the axis (0.1 m)"), std::string::npos)
+        << both;
+  }
+
   // On a plane a bias without acne is right, and more is no better.
   run({"sweep", "tilted-plane", "--light", "0", "--vary", "shadow.constant-bias=0:10:5"}, "far");
   EXPECT_TRUE(summary["sweep"]["open_ends"].empty()) << summary["sweep"]["open_ends"];
@@ -124,11 +133,12 @@ TEST_F(Answers, Compare_begins_with_the_bias_to_use_and_a_run_with_it_has_that_e
   };
   const std::string out = compare("2mm", "used");
   EXPECT_TRUE(first_line(out).starts_with("lantern: use ")) << out;
-  EXPECT_NE(first_line(out).find("within 5 % of the least error"), std::string::npos) << out;
+  EXPECT_NE(first_line(out).find(" wrong pixels of the least error"), std::string::npos) << "few are wrong: " << out;
   const Json advice = summary["shadows"][0]["recommended_bias"];
   const Json& recommended = advice["recommended"];
   EXPECT_TRUE(advice["withheld"].is_null());
-  EXPECT_LE(recommended["mae"].get<double>(), 1.05 * advice["least_error"]["mae"].get<double>());
+  const double pixels = summary["shadows"][0]["statistics"]["pixels"];
+  EXPECT_LE(recommended["mae"].get<double>(), advice["least_error"]["mae"].get<double>() + 3.0 / pixels);
   EXPECT_LE(advice["range"]["smallest"]["m"], recommended["constant_bias"]["m"]);
   EXPECT_GE(advice["range"]["largest"]["m"], recommended["constant_bias"]["m"]);
   EXPECT_DOUBLE_EQ(advice["used"]["mae"].get<double>(), summary["shadows"][0]["statistics"]["mae"].get<double>());
@@ -143,9 +153,11 @@ TEST_F(Answers, A_sweep_recommends_by_the_rule_of_compare) {
   const std::string out = run({"sweep", "contact-box", "--light", "sun", "--no-figures", "--vary",
                                "shadow.constant-bias=0texels:6texels:61", "--vary", "shadow.resolution=128,256"});
   EXPECT_TRUE(first_line(out).starts_with("resolution 128: use ")) << out;
+  const double pixels = summary["shadows"][0]["statistics"]["pixels"];
   for (const Json& curve : summary["curves"]["biases"]) {
     const Json& recommended = curve["recommended"];
-    EXPECT_LE(recommended["mae"].get<double>(), 1.05 * curve["least_error"]["mae"].get<double>());
+    const double least = curve["least_error"]["mae"];
+    EXPECT_LE(recommended["mae"].get<double>(), std::max(1.05 * least, least + 3.0 / pixels) + 1e-9);
     EXPECT_LE(recommended["constant_bias"]["m"], curve["least_error"]["constant_bias"]["m"]);
   }
   const Json of_sweep = summary["curves"]["biases"][1]["recommended"]["constant_bias"]["texels"];

@@ -133,6 +133,50 @@ TEST_F(Check, Bounds_of_a_scene_that_no_run_shows_are_one_row) {
   EXPECT_EQ(result.out.find("acne"), std::string::npos) << result.out;
 }
 
+// A run that a budget forgot would pass for ever.
+TEST_F(Check, Names_a_run_of_which_nothing_is_bounded_and_update_bounds_it) {
+  Json forgotten = Json::parse(summary(0.3));
+  forgotten["scene"]["name"] = "forgotten";
+  const std::string good = run("good", summary(0.01)), other = run("other", forgotten.dump());
+  const std::string file = budget(acne_budget);
+  const ProgramResult checked = run_program({"check", good, other, "--budget", file});
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  EXPECT_NE(checked.err.find("no bound names other (forgotten): nothing of it was checked"), std::string::npos)
+      << checked.err;
+  EXPECT_EQ(checked.err.find("names good"), std::string::npos) << checked.err;
+  const ProgramResult updated = run_program({"check", good, other, "--budget", file, "--update"});
+  EXPECT_EQ(updated.err.find("no bound names"), std::string::npos) << updated.err;
+  EXPECT_NE(text_of(file).find("\"forgotten\""), std::string::npos) << text_of(file);
+  EXPECT_EQ(run_program({"check", good, other, "--budget", file}).err, "");
+}
+
+TEST_F(Check, Two_runs_of_a_scene_have_each_bound_once) {
+  const std::string file = folder_ / "once.toml";
+  run_program({"check", run("good", summary(0.01)), run("again", summary(0.02)), "--budget", file, "--update"});
+  const std::string text = text_of(file);
+  EXPECT_EQ(text.find("\"acne\""), text.rfind("\"acne\"")) << text;
+}
+
+// The summary of a sweep holds the cell of least error, which is that of the easiest view.
+TEST_F(Check, Says_that_of_a_sweep_over_views_one_alone_is_checked) {
+  Json swept = Json::parse(summary(0.01));
+  swept["cell"] = {{"view.camera", "arcade"}, {"shadow.constant-bias", 2.0}, {"view.light", "sun"}};
+  const ProgramResult result = run_program({"check", run("views", swept.dump()), "--budget", budget(acne_budget)});
+  EXPECT_NE(result.err.find("views is a sweep over views, of which only that of least error is checked (view.camera "
+                            "arcade, view.light sun)"),
+            std::string::npos)
+      << result.err;
+}
+
+TEST_F(Check, Says_what_to_run_in_place_of_a_tuning) {
+  const ProgramResult result =
+      run_program({"check", run("tuned", Json({{"scene", {{"name", "court"}}}, {"tuning", Json::object()}}).dump()),
+                   "--budget", budget(acne_budget)});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_NE(result.err.find("is of a tuning"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("umbrameter compare -c tuned.toml"), std::string::npos) << result.err;
+}
+
 TEST_F(Check, Kind_light_and_magnitude_select_the_value) {
   const std::string good = run("good", summary(0.01));
   const auto exit_code = [&](const std::string& lines) {

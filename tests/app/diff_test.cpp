@@ -110,6 +110,8 @@ TEST(Diff, Says_that_a_file_with_layers_has_others_and_that_edges_need_a_mask) {
   constexpr const char* few = "note: few edge points of REFERENCE are found in TEST";
   EXPECT_NE(run_program({"diff", black, step}).out.find(few), std::string::npos);
   EXPECT_EQ(run_program({"diff", step, step}).out.find(few), std::string::npos);
+  // Without edges-found, too: a mean over few points reads as perfect.
+  EXPECT_NE(run_program({"diff", black, step, "--metrics", "edge-displacement"}).out.find(few), std::string::npos);
 }
 
 TEST(Diff, Says_which_colour_space_it_assumed) {

@@ -61,12 +61,12 @@ TEST_F(Tune, Of_the_bias_alone_is_at_least_as_good_as_a_grid_of_a_thousand) {
   EXPECT_NEAR(within[1].get<double>(), largest, 0.2 / 999);
   EXPECT_EQ(tuned["evaluations"], 1);
 
-  // The best point, measured as a configuration like any other, has the cost that the search found.
+  // The values to use, measured as a configuration like any other, have the cost that the search found.
   const std::vector<std::string> compare = {"compare",         "-c",          folder_ / "tuned/tuned.toml", "-o",
                                             folder_ / "again", "--no-figures"};
   ASSERT_EQ(run_program(compare).exit_code, 0);
   const Json again = Json::parse(text_of(folder_ / "again/summary.json"))["shadows"][0]["statistics"];
-  EXPECT_NEAR(again["mae"].get<double>(), tuned["best"]["cost"].get<double>(), 1e-12);
+  EXPECT_NEAR(again["mae"].get<double>(), tuned["recommended_bias"]["recommended"]["cost"].get<double>(), 1e-12);
 }
 
 TEST_F(Tune, Says_in_words_what_was_minimised_and_how_much_better_the_best_point_is) {
@@ -198,13 +198,42 @@ TEST_F(Tune, Refuses_in_one_line_what_it_cannot_tune) {
 TEST_F(Tune, Where_no_bias_can_be_known_it_says_why) {
   const auto answer = [&](const std::string& scene, const std::string& light, const std::string& size) {
     return run_program({"tune", scene, "-o", folder_ / "unknown", "--force", "--light", light, "--size", size,
-                        "--no-figures", "--vary", "shadow.constant-bias=0texels:8texels"})
+                        "--no-figures", "--for", "godot", "--vary", "shadow.constant-bias=0texels:8texels"})
         .out;
   };
   const std::string unshadowed = answer("tilted-plane", "sun-60", "96x54");
   EXPECT_EQ(unshadowed.find("no bias recommended: no counted pixel is in shadow"), 0u) << unshadowed;
+  EXPECT_EQ(unshadowed.find("Godot"), std::string::npos) << unshadowed;
+  const std::string reason = "no counted pixel is in shadow, so a large bias costs nothing; choose a view with shadows";
+  const Json recommended = Json::parse(text_of(folder_ / "unknown/summary.json"))["tuning"]["recommended_bias"];
+  EXPECT_TRUE(recommended["recommended"].is_null());
+  EXPECT_EQ(recommended["withheld"], reason);
+  EXPECT_NE(text_of(folder_ / "unknown/tuned.toml").find("; no bias recommended: " + reason + ".\n"),
+            std::string::npos);
+  // The file keeps the given bias.
+  EXPECT_NE(text_of(folder_ / "unknown/tuned.toml").find("\nconstant-bias = \"1.5texels\""), std::string::npos);
   const std::string few = answer("contact-box", "sun", "9x5");
   EXPECT_EQ(few.find("no bias recommended: only 26 counted pixels"), 0u) << few;
+}
+
+// What sweep and compare say of the same axes.
+TEST_F(Tune, Says_what_its_cost_does_not_show) {
+  const ProgramResult filters =
+      run_program(arguments("filters", {"--light", "sun", "--vary", "shadow.filter=nearest,box"}));
+  EXPECT_NE(filters.err.find("every blurred pixel is wrong"), std::string::npos) << filters.err;
+  EXPECT_NE(filters.err.find("each filter needs its own bias"), std::string::npos) << filters.err;
+  const ProgramResult soft =
+      run_program(arguments("soft", {"--light", "sun", "--light.angle", "2", "--vary", "shadow.filter=nearest,box"}));
+  EXPECT_EQ(soft.err.find("every blurred pixel is wrong"), std::string::npos) << soft.err;
+  const ProgramResult ao = run_program(arguments("ao", {"--vary", "ao.radius=0.1,0.2", "--truth.ao-distance", "0.25"}));
+  EXPECT_NE(ao.err.find("the reference is the same at every point: rays up to 25 cm"), std::string::npos) << ao.err;
+}
+
+TEST_F(Tune, Says_which_constraint_no_point_keeps) {
+  const ProgramResult result = run_program(
+      arguments("strict", {"--light", "sun", "--vary", "shadow.constant-bias=0:8texels", "--constraint", "lit>99%"}));
+  EXPECT_NE(result.out.find("this one breaks them least: lit "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(" % in corner, camera overview, sun"), std::string::npos) << result.out;
 }
 
 TEST_F(Tune, Names_the_bias_that_compare_recommends_where_the_best_point_is_another) {
@@ -214,9 +243,10 @@ TEST_F(Tune, Names_the_bias_that_compare_recommends_where_the_best_point_is_anot
         .out;
   };
   const std::string tuned = answer({"tune", "courtyard", "--vary", "shadow.constant-bias=0texels:8texels"});
-  EXPECT_NE(tuned.find("every case from 3.52 texels; use that one: "), std::string::npos) << tuned;
+  EXPECT_EQ(tuned.find("use constant-bias 3.28 texels: the smallest bias of the range "), 0u) << tuned;
+  EXPECT_NE(tuned.find("/tuned.toml with constant-bias 3.28 texels; "), std::string::npos) << tuned;
   const std::string compared = answer({"compare", "courtyard", "--measure", "shadows"});
-  EXPECT_EQ(compared.find("lantern: use 3.52 texels"), 0u) << compared;
+  EXPECT_EQ(compared.find("lantern: use bias 3.28 texels"), 0u) << compared;
 }
 
 }  // namespace

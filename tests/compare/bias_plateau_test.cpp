@@ -116,6 +116,12 @@ TEST(BiasPlateau, Of_few_wrong_pixels_is_not_decided_by_one_or_two) {
   EXPECT_EQ(plateau->recommended.constant, 2.0);
   EXPECT_EQ(plateau->last.constant, 150.0);
   EXPECT_TRUE(plateau->is_by_pixels);
+  // Nor where the least error is that of more pixels: 30 and 29 are equal, 30 and 26 are not.
+  const auto ramp = [](double second) {
+    return std::vector<BiasCell>{plateau_cell(1, 0.0, 0.003), plateau_cell(2, 0.0, second), plateau_cell(3, 0.0, 0.5)};
+  };
+  EXPECT_EQ(plateau_of(ramp(0.0029), {}, 10'000)->recommended.constant, 1.0);
+  EXPECT_EQ(plateau_of(ramp(0.0026), {}, 10'000)->recommended.constant, 2.0);
   // Of a million pixels these are 300 against 100.
   EXPECT_EQ(plateau_of(cells, {}, 1'000'000)->recommended.constant, 150.0);
 }

@@ -45,6 +45,8 @@ TEST(Suggestion, A_word_too_many_is_no_obstacle) {
 TEST(Suggestion, The_given_group_comes_first) {
   EXPECT_EQ(similar_names("shadow.bias", names), (Names{"shadow.constant-bias", "shadow.slope-bias"}));
   EXPECT_EQ(similar_names("shadow.radius", names), Names{"shadow.filter-radius"});
+  EXPECT_EQ(similar_names("shadow.biass", std::vector<std::string>{"ao.bias", "shadow.constant-bias"}),
+            Names{"shadow.constant-bias"});
 }
 
 TEST(Suggestion, A_slip_in_the_last_part_is_found_without_its_group) {

@@ -87,7 +87,7 @@ TEST_F(BiasAdviceGl, Is_negative_where_a_polygon_offset_is_too_large) {
   EXPECT_LT(advice.plateau.least.constant, 0.0);
   EXPECT_LT(advice.plateau.recommended.constant, 0.0);
   EXPECT_FALSE(advice.withheld);
-  EXPECT_TRUE(advice_text(advice).starts_with("use −")) << advice_text(advice);
+  EXPECT_TRUE(advice_text(advice).starts_with("use bias −")) << advice_text(advice);
 }
 
 TEST_F(BiasAdviceGl, A_second_run_with_the_recommended_bias_keeps_it) {

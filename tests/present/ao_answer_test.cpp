@@ -27,8 +27,8 @@ TEST(AoAnswer, Absolute_and_signed_error_have_the_digits_of_the_wider_interval) 
   error.mean_error = {-0.089738, -0.08976, -0.089716};
   EXPECT_EQ(
       present_ao({}, ao).answers.at(0),
-      "AO: mean absolute error 10.645 to 10.752 %, mean signed error −8.974 ± 0.002 % (SSAO radius 50 cm, reference "
-      "rays up to 50 cm)");
+      "AO: mean absolute error 10.645 to 10.752 %, mean signed error −8.974 ± 0.002 % (95 %, over rays; SSAO radius 50 "
+      "cm, reference rays up to 50 cm)");
   // An interval so much narrower that it would read as ± 0.00.
   error.mae = {0.064, 0.0637, 0.0658};
   EXPECT_NE(present_ao({}, ao).answers.at(0).find("6.37 to 6.58 %, mean signed error −8.97 % ("), std::string::npos)
@@ -48,7 +48,9 @@ TEST(AoAnswer, An_error_stands_beside_that_of_no_ambient_occlusion) {
   error.mean_truth = {0.8, 0.8, 0.8};
   EXPECT_EQ(present_ao({}, ao).lines.front(), "  without any AO the error would be 20.0 %");
   error.mean_truth = {0.95, 0.95, 0.95};
-  EXPECT_EQ(present_ao({}, ao).answers.back().find("warning: without any AO the error would be no larger, 5.00 %"), 0u)
+  EXPECT_EQ(present_ao({}, ao).answers.back().find(
+                "warning: no AO at all would be as close to the reference or closer: its error is 5.00 %"),
+            0u)
       << present_ao({}, ao).answers.back();
 }
 

@@ -30,14 +30,14 @@ std::vector<std::string> rows_of(const BiasAdvice& advice) {
 
 TEST(BiasAdvice, A_bias_to_keep_is_the_only_recommended_row) {
   const BiasAdvice kept = advice(0.0205);
-  ASSERT_EQ(advice_text(kept).find("keep 1.5 texels"), 0u) << advice_text(kept);
+  ASSERT_EQ(advice_text(kept).find("keep bias 1.5 texels"), 0u) << advice_text(kept);
   EXPECT_EQ(rows_of(kept)[0], "in this run: keep it");
   EXPECT_EQ(rows_of(kept)[1], "least error");
   BiasAdvice with_acne = kept;
   with_acne.line.little_acne = kept.used;
   EXPECT_EQ(rows_of(with_acne)[4], "acne at most 0.1 %") << "as in the answer";
   const BiasAdvice changed = advice(0.05);
-  ASSERT_EQ(advice_text(changed).find("use 1.9 texels"), 0u) << advice_text(changed);
+  ASSERT_EQ(advice_text(changed).find("use bias 1.9 texels"), 0u) << advice_text(changed);
   EXPECT_EQ(rows_of(changed)[0], "in this run");
   EXPECT_EQ(rows_of(changed)[1], "recommended");
 }

@@ -1,0 +1,101 @@
+#include "present/tune_sensitivity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/lists.h"
+#include "present/axis_ends.h"
+#include "present/tune_text.h"
+
+namespace umbrameter {
+namespace {
+
+// The measured values next to the range: it ends somewhere before them. "; 0.0841 and 0.484 texels are outside".
+std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const std::pair<Value, Value>& range) {
+  const TuneAxis& axis = summary.axes[scan.axis];
+  const bool is_exact = summary.result.plateau && axis.key() == constant_bias_key;
+  if (is_exact || !axis.is_continuous) return {};
+  std::optional<Value> below, above;
+  for (const TunePoint& point : scan.points) {
+    const Value& value = point.values[scan.axis];
+    if (to_number(value) < to_number(range.first)) below = value;
+    if (to_number(value) > to_number(range.second) && !above) above = value;
+  }
+  if (!below && !above) return {};
+  if (below && above) return fmt::format("; {} and {} are outside", value_text(axis, *below), value_text(axis, *above));
+  return fmt::format("; {} is outside", value_text(axis, below ? *below : *above));
+}
+
+std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
+  const TuneAxis& axis = summary.axes[scan.axis];
+  const auto range = range_within(summary, scan);
+  if (!range) return "—";
+  std::string ends = ends_text(axis, *range);
+  if (!ends.empty()) ends = " (" + ends + ")";
+  const std::string outside = outside_text(summary, scan, *range);
+  if (range->first == range->second)
+    return (outside.empty() ? "only " : "") + value_text(axis, range->first) + outside + ends;
+  return fmt::format("{} to {}{}{}", value_text(axis, range->first), value_text(axis, range->second), outside, ends);
+}
+
+// The largest cost along the axis, in multiples of the least.
+std::string worst_text(const TuneSummary& summary, const AxisScan& scan) {
+  double worst = summary.result.best.score.cost;
+  for (const TunePoint& point : scan.points) {
+    if (std::isfinite(point.score.cost)) worst = std::max(worst, point.score.cost);
+  }
+  return cost_text(summary.goal, worst);
+}
+
+}  // namespace
+
+std::string ends_text(const TuneAxis& axis, const std::pair<Value, Value>& range) {
+  Experiment experiment;
+  const Parameters parameters = describe(experiment);
+  const std::vector<double> values = mapped(axis.axis.values, [](const Value& each) { return to_number(each); });
+  std::vector<std::string> ends;
+  for (const Value& value : {range.first, range.second}) {
+    const AxisEnd end = end_of(values, to_number(value), require(parameters, axis.key()));
+    if (end != AxisEnd::none) ends.emplace_back(end == AxisEnd::lower ? "lower" : "upper");
+  }
+  if (ends.empty()) return {};
+  return ends.size() > 1 && ends[0] != ends[1] ? "both ends of the axis" : ends[0] + " end of the axis";
+}
+
+std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, const AxisScan& scan) {
+  const TuneAxis& axis = summary.axes[scan.axis];
+  if (axis.is_word() || scan.points.empty() || !summary.result.best.score.is_kept()) return std::nullopt;
+  const std::optional<BiasPlateau>& plateau = summary.result.plateau;
+  if (plateau && axis.key() == constant_bias_key)
+    return std::pair<Value, Value>{plateau->first.constant, plateau->last.constant};
+  std::vector<double> costs;
+  std::size_t inside = 0;
+  for (const TunePoint& point : scan.points) {
+    if (point.values[scan.axis] == summary.result.best.values[scan.axis]) inside = costs.size();
+    costs.push_back(point.score.is_kept() ? point.score.cost : std::numeric_limits<double>::infinity());
+  }
+  const ConnectedRange range = connected_range(costs, inside, plateau_limit(summary.result.best.score.cost));
+  return std::pair{scan.points[range.first].values[scan.axis], scan.points[range.last].values[scan.axis]};
+}
+
+Table sensitivity_table(const TuneSummary& summary) {
+  Table table{{{"parameter", "", "varied; the others keep their best values"},
+               {"axis", "", "values that were allowed"},
+               {"best", "", "value of least cost"},
+               {"within 5 %", "",
+                "range around it in which the cost is at most 5 % higher: of a constant bias from its whole "
+                "curve, else of the measured values"},
+               {"highest cost", "", "on the measured values of the axis"}},
+              {}};
+  for (const AxisScan& scan : summary.result.scans) {
+    const TuneAxis& axis = summary.axes[scan.axis];
+    table.rows.push_back({axis.key(), axis.axis.text, value_text(axis, summary.result.best.values[scan.axis]),
+                          tolerance_text(summary, scan), worst_text(summary, scan)});
+  }
+  return table;
+}
+
+}  // namespace umbrameter
