@@ -15,10 +15,10 @@ Statistics describe(AoStatistics& statistics) {
       .field("pixels", s.pixels, "px", "pixels that see a surface")
       .field("mae", s.mae, "1", with_bounds("mean absolute error of accessibility"),
              {"Mean absolute error of accessibility", "mean absolute error [%], bounds"})
-      .field("rmse", s.rmse, "1", "root mean square error, corrected for the variance of the reference",
+      .field("rmse", s.rmse, "1", "RMS error, corrected for the variance of the reference",
              {"RMS error of accessibility", "RMS error [%], 95 % interval"})
-      .field("mean_error", s.mean_error, "1", "mean of technique − reference",
-             {"Mean error of accessibility", "technique − reference [%], 95 % interval"})
+      .field("mean_error", s.mean_error, "1", "mean signed error, technique − reference",
+             {"Mean signed error of accessibility", "technique − reference [%], 95 % interval"})
       .share("mean_raster", s.mean_raster, "mean accessibility of the technique")
       .field("mean_truth", s.mean_truth, "1", "mean accessibility of the reference")
       .field("max_error", s.max_error, "1", "largest absolute error, including the noise of the reference")

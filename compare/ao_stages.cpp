@@ -119,13 +119,13 @@ Statistics describe(AoStageStatistics& statistics) {
   StatisticsDescription description;
   description.field("pixels", total.pixels, "px", "pixels that see a surface")
       .field("mae", total.mae, "1", with_bounds("mean absolute error of accessibility"))
-      .field("rmse", total.rmse, "1", "root mean square error, corrected for the variance of the reference")
-      .field("mean_error", total.mean_error, "1", "mean of technique − reference; the sum of the stages' means")
+      .field("rmse", total.rmse, "1", "RMS error, corrected for the variance of the reference")
+      .field("mean_error", total.mean_error, "1", "mean signed error, technique − reference; the sum of the stages' means")
       .field("too_dark", total.too_dark, "1",
              with_bounds("part of the mean absolute error in pixels that are too dark"))
       .field("too_bright", total.too_bright, "1",
              with_bounds("part of the mean absolute error in pixels that are too bright"))
-      .field("srgb_mean_error", statistics.srgb_mean_error, "1", "mean error of sRGB-encoded accessibility")
+      .field("srgb_mean_error", statistics.srgb_mean_error, "1", "mean signed error of sRGB-encoded accessibility")
       .field("srgb_mse", statistics.srgb_mse, "1",
              "mean square error of sRGB-encoded accessibility, corrected for the variance of the reference")
       .field("srgb_psnr", statistics.srgb_psnr, "dB",

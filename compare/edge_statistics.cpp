@@ -58,7 +58,7 @@ Statistics describe(EdgeStatistics& s) {
       .share("blocked", s.blocked, "share blocked in the reference")
       .share("mae", s.mae, "mean absolute error of visibility",
              {"Mean absolute error of visibility", "mean absolute error [% of counted pixels]", true})
-      .field("rmse", s.rmse, "1", "root mean square error of visibility")
+      .field("rmse", s.rmse, "1", "RMS error of visibility")
       .share("too_dark_away", s.too_dark_away, "too dark, more than 2 texels from a shadow edge: like acne",
              curve("Too dark away from edges"))
       .share("too_dark_at_edge", s.too_dark_at_edge, "too dark, at most 2 texels from a shadow edge",
@@ -67,7 +67,7 @@ Statistics describe(EdgeStatistics& s) {
              curve("Too bright at edges"))
       .share("too_bright_away", s.too_bright_away, "too bright, more than 2 texels from a shadow edge: light bleeding",
              curve("Too bright away from edges"))
-      .field("mean_error", s.mean_error, "1", "mean of technique − reference")
+      .field("mean_error", s.mean_error, "1", "mean signed error, technique − reference")
       .field("max_error", s.max_error, "1", "largest absolute error")
       .field("mean_texel", s.mean_texel, "m", mean_texel_meaning)
       .take();

@@ -92,9 +92,9 @@ Statistics describe(ImageStatistics& s) {
       .field("pixels", s.error.pixels, "px", "pixels that see a surface")
       .field("mae", s.error.mae, "1", with_bounds("mean absolute error of linear luminance × exposure; 1 is white"),
              mae)
-      .field("rmse", s.error.rmse, "1", "root mean square error, corrected for the variance of the reference",
+      .field("rmse", s.error.rmse, "1", "RMS error, corrected for the variance of the reference",
              {"RMS error of the image", "RMS error [% of white], 95 % interval"})
-      .field("mean_error", s.error.mean_error, "1", "mean of technique − reference")
+      .field("mean_error", s.error.mean_error, "1", "mean signed error, technique − reference")
       .field("mae_off_edges", s.mae_off_edges, "1",
              "mean absolute error of the pixels farther than 3 px from every edge of a hard shadow")
       .share("near_edges", s.near_edges, "share of the pixels within 3 px of an edge of a light's hard shadow")

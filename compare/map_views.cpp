@@ -111,7 +111,7 @@ Statistics describe(ViewStatistics& s) {
       .field("share", s.share, "1", "share of all counted pixels")
       .field("mean_texel", s.mean_texel, "m", "mean size of its texels at these pixels")
       .field("mae", s.mae, "1", "mean absolute error of visibility")
-      .field("mean_error", s.mean_error, "1", "mean of technique − reference");
+      .field("mean_error", s.mean_error, "1", "mean signed error, technique − reference");
   for (std::size_t c = 0; c < cause_count; ++c) {
     description.field(cause_names[c].data(), s.causes[c], "1", std::string(cause_meaning(static_cast<Cause>(c))));
   }

@@ -132,8 +132,8 @@ Statistics describe(SoftVisibilityStatistics& s) {
       .field("penumbra", s.penumbra, "1", "share in the penumbra: mean of 4V(1 − V), V the visibility of the reference")
       .field("mae", s.error.mae, "1", with_bounds("mean absolute error of visibility"),
              {"Mean absolute error of visibility", "mean absolute error [%], bounds"})
-      .field("rmse", s.error.rmse, "1", "root mean square error, corrected for the variance of the reference")
-      .field("mean_error", s.error.mean_error, "1", "mean of technique − reference")
+      .field("rmse", s.error.rmse, "1", "RMS error, corrected for the variance of the reference")
+      .field("mean_error", s.error.mean_error, "1", "mean signed error, technique − reference")
       .field("false_blocked", s.error.too_dark, "1",
              with_bounds("part of the mean absolute error where the technique is too dark"),
              {"Too dark", "too dark [% of counted pixels], bounds"})

@@ -137,14 +137,14 @@ Statistics describe(VisibilityStatistics& s) {
       .share("blocked", s.blocked, "share blocked in the reference")
       .share("mae", s.mae, "mean absolute error of visibility",
              {"Mean absolute error of visibility", "mean absolute error [% of counted pixels]", true})
-      .field("rmse", s.rmse, "1", "root mean square error of visibility")
+      .field("rmse", s.rmse, "1", "RMS error of visibility")
       .share("acne", s.acne, meaning(Cause::acne), {"Acne", "acne [% of counted pixels]"})
       .share("false_occlusion", s.false_occlusion, meaning(Cause::false_occlusion),
              {"False occlusion", "false occlusion [% of counted pixels]"})
       .share("peter_panning", s.peter_panning, meaning(Cause::peter_panning),
              {"Peter-panning", "peter-panning [% of counted pixels]"})
       .share("leak", s.leak, meaning(Cause::light_leak), {"Light leak", "light leak [% of counted pixels]"})
-      .field("mean_error", s.mean_error, "1", "mean of technique − reference")
+      .field("mean_error", s.mean_error, "1", "mean signed error, technique − reference")
       .field("max_error", s.max_error, "1", "largest absolute error")
       .share("false_blocked", s.false_blocked, "too dark: reference lit, technique blocked")
       .share("false_lit", s.false_lit, "too bright: reference blocked, technique lit")

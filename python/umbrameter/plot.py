@@ -231,7 +231,7 @@ def _shown(run: Run, name: str) -> Column:
 
 def _label(run: Run, name: str) -> str:
     quantity = run.quantities[name]
-    words = {"mae": "mean absolute error", "rmse": "root mean square error", **_cause_names}
+    words = {"mae": "mean absolute error", "rmse": "RMS error", **_cause_names}
     text = name.split(".")[-1].replace("-", " ") if "." in name else words.get(name, name.replace("_", " "))
     unit = {"1": "%" if "." not in name else "", "degrees": "°"}.get(quantity.unit, quantity.unit)
     return f"{text} [{unit}]" if unit else text
