@@ -120,7 +120,8 @@ Statistics describe(AoStageStatistics& statistics) {
   description.field("pixels", total.pixels, "px", "pixels that see a surface")
       .field("mae", total.mae, "1", with_bounds("mean absolute error of accessibility"))
       .field("rmse", total.rmse, "1", "RMS error, corrected for the variance of the reference")
-      .field("mean_error", total.mean_error, "1", "mean signed error, technique − reference; the sum of the stages' means")
+      .field("mean_error", total.mean_error, "1",
+             "mean signed error, technique − reference; the sum of the stages' means")
       .field("too_dark", total.too_dark, "1",
              with_bounds("part of the mean absolute error in pixels that are too dark"))
       .field("too_bright", total.too_bright, "1",

@@ -134,6 +134,25 @@ TEST(Diff, Compares_sizes_before_it_decodes_pixels) {
                "its size 16000x16000 differs from the reference's 64x64");
 }
 
+// A few bytes that claim 3.6 gigapixels. Under a sanitizer the address space is no measure of memory.
+TEST(Diff, A_file_that_claims_a_huge_size_is_refused_before_memory_is_asked_for) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer reserves address space";
+#endif
+  const TemporaryFolder folder;
+  const std::string bomb = folder.write("bomb.png", png_bytes(60000, 60000, 8, 2, ""));
+  const std::string small = folder.write("small.png", step_png(3));
+  ProgramOptions options;
+  options.wrapper = {"sh", "-c", "ulimit -v 1500000; exec \"$@\"", "sh"};  // kB
+  for (const std::vector<std::string>& files : {std::vector{bomb, small}, {small, bomb}, {bomb, bomb}}) {
+    const ProgramResult result = run_program({"diff", files[0], files[1]}, options);
+    EXPECT_TRUE(result.exit_code == 2 || result.exit_code == 4) << result.exit_code;
+    EXPECT_TRUE(is_one_line(result.err)) << result.err;
+    EXPECT_EQ(result.err.find("out of memory"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(".png"), std::string::npos) << result.err;
+  }
+}
+
 TEST(Diff, Says_nothing_of_a_map_without_values) {
   const TemporaryFolder folder;
   const std::string one = folder.write("one.png", to_png(Image<glm::u8vec3>(1, 1)));
