@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <set>
 
 #include "app/commands.h"
 #include "app/print_json.h"
@@ -21,25 +20,6 @@ std::vector<MeasuredStatistic> read_runs(const std::vector<std::filesystem::path
   return measured;
 }
 
-// What the bounds do not cover.
-void add_notes(const std::vector<BudgetEntry>& budget, const std::vector<MeasuredStatistic>& measured,
-               const Console& console) {
-  std::set<std::string> told;
-  const auto tell = [&](const std::string& text) {
-    if (told.insert(text).second) note(console, text);
-  };
-  for (const MeasuredStatistic& each : unbounded(budget, measured)) {
-    tell(fmt::format("no bound names {} ({}): nothing of it was checked; --update adds bounds for it", each.run,
-                     each.scene));
-  }
-  for (const MeasuredStatistic& each : measured) {
-    if (each.view.empty()) continue;
-    tell(
-        fmt::format("{} is a sweep over views, of which only that of least error is checked ({}); run compare for each",
-                    each.run, each.view));
-  }
-}
-
 ExitCode update(const CheckOptions& options, const std::vector<MeasuredStatistic>& measured, const Console& console) {
   std::vector<BudgetEntry> budget;
   std::error_code error;
@@ -47,7 +27,7 @@ ExitCode update(const CheckOptions& options, const std::vector<MeasuredStatistic
   if (!is_new) budget = read_budget(options.budget);
   budget = update_budget(std::move(budget), measured);
   write_budget(options.budget, budget);
-  add_notes(budget, measured, console);
+  for (const std::string& text : gate_notes(budget, measured)) note(console, text);
   // Budgets that no run measured keep their bounds.
   std::size_t kept = 0;
   for (const GateCheck& check : check_budget(budget, measured)) kept += check.measured ? 0u : 1u;
@@ -85,7 +65,8 @@ ExitCode run_check(const CommandLine& line, const Console& console) {
   const std::vector<BudgetEntry> budget = read_budget(options.budget);
   const std::vector<MeasuredStatistic> measured = read_runs(options.folders);
   const std::vector<GateCheck> checks = check_budget(budget, measured);
-  add_notes(budget, measured, console);
+  const std::vector<std::string> notes = gate_notes(budget, measured);
+  for (const std::string& text : notes) note(console, text);
   const ExitCode code = show_checks(console, checks);
   if (console.verbose) {
     for (const std::string& text : gate_lines(checks, true)) diagnostic(console, text);
@@ -93,9 +74,11 @@ ExitCode run_check(const CommandLine& line, const Console& console) {
   if (!options.junit.empty()) write_text(options.junit, junit_xml(checks));
   if (!options.summary.empty()) {
     // Several steps write to one file.
-    write_text(options.summary, text_of_file(options.summary).value_or("") + gate_markdown(checks));
+    write_text(options.summary, text_of_file(options.summary).value_or("") + gate_markdown(checks, notes));
   }
-  print_json(console, to_json(checks));
+  nlohmann::ordered_json json = to_json(checks);
+  json["notes"] = notes;
+  print_json(console, json);
   return code;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/lists.h"
 #include "reports/files/markup.h"
 #include "reports/files/text_layout.h"
 #include "results/number_text.h"
@@ -105,14 +106,14 @@ std::string failure_text(const GateCheck& check) {
   if (!is_judged(check)) return "nothing was measured: no pixel counts";
   const std::string by =
       fmt::format("{} is not {}: off by {}", measured_text(check), bound_text(check), excess_text(check));
-  return std::isfinite(check.intervals) ? fmt::format("{}, {:.1f} half widths of its interval", by, check.intervals)
+  return std::isfinite(check.intervals) ? fmt::format("{}, {:.1f} times the noise of the rays", by, check.intervals)
                                         : by;
 }
 
 std::string markdown_cell(const std::string& text) { return escape_markup(replace_all(text, "|", "\\|")); }
 
 const std::vector<std::string> header = {
-    "", "where", "statistic", "value", "bound", "excess", "excess ÷ half of the 95 % interval"};
+    "", "where", "statistic", "value", "bound", "excess", "excess ÷ noise of the rays"};
 
 }  // namespace
 
@@ -165,12 +166,28 @@ std::string junit_xml(const std::vector<GateCheck>& checks) {
   return xml + "  </testsuite>\n</testsuites>\n";
 }
 
-std::string gate_markdown(const std::vector<GateCheck>& checks) {
+std::vector<std::string> gate_notes(const std::vector<BudgetEntry>& budget,
+                                    const std::vector<MeasuredStatistic>& measured) {
+  std::vector<std::string> notes;
+  const auto add = [&](std::string text) {
+    if (std::ranges::find(notes, text) == notes.end()) notes.push_back(std::move(text));
+  };
+  for (const MeasuredStatistic& each : unbounded(budget, measured)) {
+    add(fmt::format("no bound names {} ({}): nothing of it was checked; --update adds bounds for it", each.run,
+                    each.scene));
+  }
+  for (const MeasuredStatistic& each : measured) {
+    if (each.view.empty()) continue;
+    add(fmt::format("{} is a sweep over views, of which only that of least error is checked ({}); run compare for each",
+                    each.run, each.view));
+  }
+  return notes;
+}
+
+std::string gate_markdown(const std::vector<GateCheck>& checks, const std::vector<std::string>& notes) {
   const std::size_t failed = count_failed(checks);
   std::string text = fmt::format("### {} Umbrameter: {}\n\n", failed == 0 ? "✅" : "❌", gate_answer(checks));
-  text +=
-      "| | where | statistic | value | bound | excess | excess ÷ half of the 95 % interval |\n"
-      "| --- | --- | --- | ---: | ---: | ---: | ---: |\n";
+  text += "| " + joined(header, " | ") + " |\n| --- | --- | --- | ---: | ---: | ---: | ---: |\n";
   std::vector<GateCheck> sorted = checks;
   std::stable_partition(sorted.begin(), sorted.end(), [](const GateCheck& check) { return !check.is_kept; });
   for (std::vector<std::string>& row : rows_of(sorted, true)) {
@@ -179,6 +196,7 @@ std::string gate_markdown(const std::vector<GateCheck>& checks) {
     for (const std::string& cell : row) text += fmt::format(" {} |", markdown_cell(cell));
     text += "\n";
   }
+  for (const std::string& note : notes) text += "\n" + markdown_cell(plain_text(note)) + "\n";
   return text;
 }
 

@@ -20,8 +20,12 @@ std::vector<std::string> gate_lines(const std::vector<GateCheck>& checks, bool a
 /// One test case for each check, in the form that GitLab, Jenkins and GitHub's actions read.
 std::string junit_xml(const std::vector<GateCheck>& checks);
 
-/// The answer and a table, for $GITHUB_STEP_SUMMARY.
-std::string gate_markdown(const std::vector<GateCheck>& checks);
+/// What the bounds do not cover: runs of which none names a statistic, and the other views of a sweep.
+std::vector<std::string> gate_notes(const std::vector<BudgetEntry>& budget,
+                                    const std::vector<MeasuredStatistic>& measured);
+
+/// The answer, a table and the notes, for $GITHUB_STEP_SUMMARY.
+std::string gate_markdown(const std::vector<GateCheck>& checks, const std::vector<std::string>& notes);
 
 nlohmann::ordered_json to_json(const std::vector<GateCheck>& checks);
 

@@ -126,7 +126,7 @@ Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& fron
   return table;
 }
 
-// "acne 0.0235 % in courtyard, camera overview, sun".
+// ": acne 0.0235 % in courtyard, camera overview, sun".
 std::string broken_text(const TuneSummary& summary) {
   const TunePoint& best = summary.result.best;
   std::string text;
@@ -138,7 +138,7 @@ std::string broken_text(const TuneSummary& summary) {
     const auto worst = std::ranges::max_element(best.cases, {}, violation);
     if (worst == best.cases.end() || violation(*worst) == 0.0) continue;
     const Column& column = summary.goal.columns[constraint.column];
-    text += fmt::format("{}{} {} in {}", text.empty() ? "" : "; ", column.name,
+    text += fmt::format("{}{} {} in {}", text.empty() ? ": " : "; ", column.name,
                         statistic_text((*worst)[constraint.column], column.unit),
                         summary.cases[static_cast<std::size_t>(worst - best.cases.begin())]);
   }
@@ -148,7 +148,7 @@ std::string broken_text(const TuneSummary& summary) {
 std::string constraint_line(const TuneSummary& summary) {
   if (summary.goal.constraints.empty()) return {};
   if (!summary.result.best.score.is_kept())
-    return "no point keeps every constraint in every case; this one breaks them least: " + broken_text(summary);
+    return "no point keeps every constraint in every case; this one breaks them least" + broken_text(summary);
   return "every constraint is kept in every case";
 }
 

@@ -144,6 +144,8 @@ TEST_F(Check, Names_a_run_of_which_nothing_is_bounded_and_update_bounds_it) {
   EXPECT_NE(checked.err.find("no bound names other (forgotten): nothing of it was checked"), std::string::npos)
       << checked.err;
   EXPECT_EQ(checked.err.find("names good"), std::string::npos) << checked.err;
+  const Json json = Json::parse(run_program({"check", good, other, "--budget", file, "--json"}).out);
+  EXPECT_EQ(json["notes"].size(), 1u);
   const ProgramResult updated = run_program({"check", good, other, "--budget", file, "--update"});
   EXPECT_EQ(updated.err.find("no bound names"), std::string::npos) << updated.err;
   EXPECT_NE(text_of(file).find("\"forgotten\""), std::string::npos) << text_of(file);
