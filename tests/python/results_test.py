@@ -111,7 +111,7 @@ class Other(unittest.TestCase):
 
 
 class Large(unittest.TestCase):
-    def test_98304_cells_open_in_2_s_and_300_mb(self):
+    def test_98304_cells_open_within_300_mb_and_six_times_a_plain_read(self):
         folder = work / "large"
         folder.mkdir()
         shutil.copy(swept().folder / ".umbrameter-run.json", folder)
@@ -132,14 +132,19 @@ class Large(unittest.TestCase):
         if importlib.util.find_spec("xarray"):
             opened["cells"] = "assert dict(run.cells.sizes) == dict(zip(run.axes, (512, 192, 1)))"
         for what, line in opened.items():
-            script = (f"import time, resource\nimport umbrameter as um\nrun = um.load({str(folder)!r})\n{line}\n"
-                      "print(time.process_time(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)")
+            # The plain read is what the machine takes now; other work on it slows both.
+            script = (f"import time, resource, sqlite3\nimport umbrameter as um\nrun = um.load({str(folder)!r})\n{line}\n"
+                      "opened = time.process_time()\n"
+                      "megabytes = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024\n"
+                      f"sqlite3.connect({str(folder / 'results.sqlite')!r}).execute('SELECT * FROM cells').fetchall()\n"
+                      "print(opened, time.process_time() - opened, megabytes)")
             with environment(PYTHONPATH=root / "python", GLIBC_TUNABLES=""):
                 result = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
-            seconds, megabytes = map(float, result.stdout.split())
-            print(f"98,304 cells as {what}, imports included: {seconds:.2f} s of CPU time, {megabytes:.0f} MB")
+            seconds, plain, megabytes = map(float, result.stdout.split())
+            print(f"98,304 cells as {what}, imports included: {seconds:.2f} s of CPU time, {seconds / plain:.1f} times a plain "
+                  f"read, {megabytes:.0f} MB")
             self.assertLess(megabytes, 300)
-            self.assertLess(seconds, 2)
+            self.assertLess(seconds, 6 * plain)
 
 
 if __name__ == "__main__":
