@@ -213,6 +213,18 @@ test('wrong pixels of a small picture are enlarged where they stand among right 
   await close();
 });
 
+test('the legend of causes over the picture has no colours that the picture replaces', async () => {
+  const {page, close} = await open_page(out, {fragment: '#view=single&group=sun&a=class_sun'});
+  const names = () => page.locator('.legend .categories li').allInnerTexts();
+  const causes = ['acne', 'false occlusion', 'peter-panning', 'light leak'];
+  assert.deepEqual(await names(), [...causes, 'grey: the picture (correct or not counted)']);
+  await go(page, 'view=single&group=sun&a=class_sun&errors=plain');
+  await expect_fragment(page, {errors: 'plain'});
+  await page.locator('.legend .categories li', {hasText: /^correct$/}).waitFor();
+  assert.deepEqual(await names(), ['correct', ...causes, 'not counted', 'background']);
+  await close();
+});
+
 test('keys go to the largest error and through connected regions', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
   const {page, close} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion'});
@@ -220,6 +232,13 @@ test('keys go to the largest error and through connected regions', async () => {
   const [x, y] = (await expect_fragment(page, {pixel: /,/})).pixel.split(',').map(Number);
   const errors = channels['error_ao.Y'].map(Math.abs);
   assert.ok(errors[y * size.width + x] >= Math.max(...errors) * (1 - 2 ** -10));
+  // The line says what the inspector says.
+  const value = await page.locator('.inspector tr', {hasText: /^Error/}).first().locator('td').innerText();
+  await page.getByText(`Largest error: ${value} on `).waitFor();
+  await go(page, 'view=single&group=ambient occlusion&a=truth_ao_standard_error');
+  await page.locator('.legend .name', {hasText: 'Standard error of the reference'}).waitFor();
+  assert.match(await page.locator('.legend .end').innerText(), /^0\.0*[1-9]\d?$/, 'two digits of an uncertainty');
+  await go(page, 'view=grid&group=ambient occlusion');
   await page.getByRole('button', {name: 'Region ▸'}).click();
   await page.getByText(/^Region 1 of \d+: \d+ pixels, summed error/).waitFor();
   await page.locator('.stage').press('n');

@@ -1,4 +1,5 @@
 // The cells of a sweep: their numbers, which cell a point of a chart shows, and the command that repeats a cell.
+import {in_digits} from './digits';
 
 export type CellValue = number | string | boolean | null;
 
@@ -25,12 +26,6 @@ interface PackedCells {
 export interface ChartCells {
   columns: Record<string, string>;
   fixed: Record<string, CellValue>;
-}
-
-// As digits_text() of results/number_text.h.
-function in_digits(value: number, digits: number): string {
-  if (Math.abs(value) < 1e-4) return value.toExponential(0);
-  return value.toFixed(Math.max(0, Math.min(9, digits - 1 - Math.floor(Math.log10(Math.abs(value))))));
 }
 
 const as_number = (value: CellValue) => (value === null || value === '' || typeof value === 'boolean' ? NaN : Number(value));
