@@ -258,7 +258,7 @@ test('the list, a button and keys go through objects, whose errors are those of 
     [...row.cells].map((cell) => cell.textContent)));
   await page.locator('.objects summary').click();
   const list = page.locator('.objects button');
-  const objects = (await list.allInnerTexts()).map((text) => /^(.*?)\s+([\d.]+) % of (\d+) px$/s.exec(text).slice(1));
+  const objects = (await list.allInnerTexts()).map((text) => /^(.*?)\s+([\d.]+) % of ([\d,]+) px$/s.exec(text).slice(1));
   for (const [name, count, error] of rows.slice(0, 5)) {
     const object = objects.find(([other, , pixels]) => other === name && pixels === count);
     assert.ok(object, `${name} of ${count} pixels`);
@@ -321,6 +321,15 @@ test('tables are sorted, filtered and downloaded', async () => {
   await page.keyboard.press('Enter');
   assert.deepEqual(await errors(), [...ascending].sort((a, b) => b - a));
   assert.equal(await region.locator('th[aria-sort]').getAttribute('aria-sort'), 'descending');
+  // Counts are grouped, "4,258", and sorted as numbers; programs get them without commas.
+  const statistics = page.getByRole('region', {name: /Visibility error/}).first();
+  await statistics.getByRole('button', {name: 'value'}).click();
+  await statistics.getByRole('button', {name: 'value'}).click();
+  const count = await statistics.locator('tbody tr td').first().innerText();
+  assert.match(count, /^\d,\d{3}$/, 'the largest number');
+  const whole = page.waitForEvent('download');
+  await statistics.getByRole('button', {name: 'CSV'}).click();
+  assert.match(readFileSync(await (await whole).path(), 'utf8'), new RegExp(`^pixels,${count.replace(',', '')},px,`, 'm'));
   const name = await region.locator('tbody th').first().innerText();
   if (await region.getByRole('searchbox').count() > 0) await region.getByRole('searchbox').fill(name);
   const download = page.waitForEvent('download');

@@ -1,5 +1,5 @@
 // The cells of a sweep: their numbers, which cell a point of a chart shows, and the command that repeats a cell.
-import {in_digits} from './digits';
+import {grouped, in_digits} from './digits';
 
 export type CellValue = number | string | boolean | null;
 
@@ -78,6 +78,7 @@ export class Cells {
     const value = this.shown(row, column);
     if (value === null) return '—';
     if (typeof value !== 'number') return String(value);
+    if (this.columns[column].unit === 'px' && Number.isInteger(value)) return grouped(value).replace('-', '−');
     if (value === 0 || !this.is_real(column)) return String(value).replace('-', '−');
     const shown = Number(value.toPrecision(digits));
     return (digits < 5 ? in_digits(shown, digits) : String(shown)).replace('-', '−');

@@ -7,5 +7,8 @@ export function in_digits(value: number, digits: number): string {
   return value.toFixed(Math.max(0, Math.min(9, digits - 1 - Math.floor(Math.log10(Math.abs(value))))));
 }
 
+// "47,311", as counts of pixels are in the page's text.
+export const grouped = (count: number) => count.toLocaleString('en');
+
 // "2.00 %".
 export const percent_text = (share: number) => `${in_digits(100 * share, 3)} %`;

@@ -1,5 +1,5 @@
 // The list of objects with their error; a click goes to the object's largest error.
-import {percent_text} from './digits';
+import {grouped, percent_text} from './digits';
 import {make} from './dom';
 import {ObjectError} from './objects';
 
@@ -23,7 +23,7 @@ export class ObjectList {
       this.title.textContent = `Objects by error (${objects.length})`;
       this.list.replaceChildren(...objects.slice(0, most_rows).map((object, i) =>
         make('li', {}, make('button', {type: 'button', click: () => this.choose(i)}, make('span', {class: 'name'}, object.name || 'no name'),
-          make('span', {class: 'number'}, `${percent_text(object.mean)} of ${object.pixels} px`)))));
+          make('span', {class: 'number'}, `${percent_text(object.mean)} of ${grouped(object.pixels)} px`)))));
     }
     [...this.list.children].forEach((item, i) => {
       const button = item.firstElementChild!;
