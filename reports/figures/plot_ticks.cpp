@@ -96,7 +96,10 @@ std::vector<double> log_ticks(double lowest, double highest) {
 
 TickedRange log_range(double lowest, double highest) {
   const std::vector<double> all = ticks_about(lowest, highest);
-  TickedRange range{all.front(), all.back(), thinned(all)};
+  // Between 2 and 5 the scale need not go on to 5.
+  const std::vector<double> near = digits_about(fine, lowest, highest);
+  TickedRange range{std::max(all.front(), near.front()), std::min(all.back(), near.back()), {}};
+  range.ticks = within(thinned(all), range.first, range.last);
   // The ends have ticks, too, where these do not crowd their neighbours.
   constexpr double room = 0.07;  // of the axis
   const double decades = std::log10(range.last / range.first);

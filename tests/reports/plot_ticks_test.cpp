@@ -36,8 +36,9 @@ TEST(PlotTicks, Ticks_of_a_logarithmic_axis_are_1_2_and_5) {
   EXPECT_EQ(log_range(1.222, 2.806).ticks, (std::vector<double>{1, 1.5, 2, 3}));
   EXPECT_EQ(log_range(0.211, 0.233).ticks, (std::vector<double>{0.21, 0.215, 0.22, 0.225, 0.23, 0.235}))
       << "even steps";
-  EXPECT_EQ(log_range(0.03, 410.0).ticks, (std::vector<double>{0.02, 0.1, 1, 10, 100, 500})) << "the ends, too";
-  EXPECT_EQ(log_range(0.03, 410.0).first, 0.02);
+  EXPECT_EQ(log_range(0.03, 410.0).ticks, (std::vector<double>{0.03, 0.1, 1, 10, 100, 500})) << "the ends, too";
+  EXPECT_EQ(log_range(0.5, 2.8).ticks, (std::vector<double>{0.5, 1, 2, 3})) << "not up to 5";
+  EXPECT_EQ(log_range(0.03, 410.0).first, 0.03);
   EXPECT_EQ(log_range(0.03, 410.0).last, 500.0);
   EXPECT_STREQ(log_tick_label({0.001, 1.0, 100.0}), "format(datum.value, '~g')");
   for (const std::vector<double>& ticks : {std::vector<double>{1e-5, 0.1, 100.0}, {1.0, 1e6}}) {
