@@ -159,11 +159,18 @@ void write_latex(const fs::path& folder, const std::vector<PartTables>& parts) {
   }
 }
 
-Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTables>& parts,
-                   const std::vector<ReportSection>& figures) {
+// "hard, box: 1280×720 pixels, camera overview, 95,204 triangles"; without the view where the runs differ in it.
+std::string subtitle_of(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders) {
+  const std::vector<std::string> views = mapped(folders, stored_view);
+  const bool is_shared = std::ranges::all_of(views, [&](const std::string& view) { return view == views.front(); });
+  return joined(runs, ", ", &StoredRun::name) + (is_shared && !views.front().empty() ? ": " + views.front() : "");
+}
+
+Report make_report(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders,
+                   const std::vector<PartTables>& parts, const std::vector<ReportSection>& figures) {
   Report report;
   report.title = fmt::format("{}: {}", runs.front().scene, runs.size() > 1 ? "runs side by side" : "a run");
-  report.subtitle = joined(runs, ", ", &StoredRun::name);
+  report.subtitle = subtitle_of(runs, folders);
   report.command = "umbrameter report";
   for (const StoredRun& run : runs) report.command += " " + run.name;
   report.command += " -o OUT";
@@ -171,7 +178,8 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
     ReportSection section;
     section.title = "Parameters that differ";
     const Table table = differing_parameters(runs);
-    section.text = table.rows.empty() ? "All parameters are equal." : "";
+    section.text = table.rows.empty() ? "All parameters are equal; the page of each run lists them under 'Settings'."
+                                      : "All others are equal; the page of each run lists them under 'Settings'.";
     if (!table.rows.empty()) section.tables.push_back({"Parameters that differ", table});
     report.sections.push_back(std::move(section));
   }
@@ -300,7 +308,7 @@ ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
   for (const std::string& text : limits) note(console, text);
   std::fflush(stdout);
   const std::vector<std::string> problems = write_figures(folder.path() / "figures", figures, style, errors);
-  Report report = make_report(runs, comparison.parts, sections);
+  Report report = make_report(runs, line.report.folders, comparison.parts, sections);
   report.answers = answers;
   report.notes = limits;
   for (std::size_t i = 0; i < runs.size() && !line.no_figures; ++i) {

@@ -249,7 +249,7 @@ PlotFigure front_plot(const Drawing& drawing) {
   plot.conditions = drawing.part.conditions;
   plot.caption =
       "A front shows the biases that no other bias beats in both acne and peter-panning. Rings mark the knee: the "
-      "point farthest below the chord between the ends of the front. Shares of the counted pixels.";
+      "point farthest below the chord between the ends of the front, on linear axes. Shares of the counted pixels.";
   plot.mark = "knee";
   plot.data.columns = plain_columns({"acne", "peter_panning", "line", "knee"});
   const Thinned lines = thin(drawing.lines(), max_lines);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -52,6 +53,11 @@ std::string points_text(const CurveFormula& of) {
   return fmt::format("{} points, of which {} are independent", of.points.size(), independent);
 }
 
+std::string sentence(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
 std::string names_of(const std::vector<Column>& columns) { return joined(columns, ", ", &Column::name); }
 
 // Of terms that no formula has.
@@ -73,21 +79,21 @@ Table formulas_table(const BiasCurves& curves) {
       {"points", "1", "fitted points: one per combination of the formula's axes"},
       {"independent points", "1", "those that differ in a fact of the formula; only they count in the standard errors"},
       {"left out", "1", "combinations without such a bias on the axis, or with one at its end"},
-      {"c0", "m", "constant part"},
-      {"error of c0", "m", "standard error"},
+      {"constant part", "m", "the bias less the other terms"},
+      {"error of the constant part", "m", "standard error"},
       {"factor of Δz", "1", "Δz: change of the surface's depth from texel to texel"},
       {"error for Δz", "1", "standard error"},
-      {"factor of r·Δz", "1/texels", "r: reach of the filter"},
+      {"factor of r·Δz", "1/texels", "r: filter radius"},
       {"error for r·Δz", "1/texels", "standard error"},
-      {"factor of δ", "1", "δ: step of the stored depth"},
+      {"factor of δ", "1", "δ: depth step"},
       {"error for δ", "1", "standard error"},
       {"residual", "m", "RMS residual"},
       {"residual in texels", "texels", "the same in texels of each point"},
       {"largest residual", "m", "at the worst point"},
-      {"texels", "", "texel sizes of the points"},
-      {"Δz", "", "depths per texel of the points"},
-      {"r", "texels", "filter radii of the points"},
-      {"δ", "", "steps of the stored depth of the points"}};
+      {"texel sizes", "", "of the points"},
+      {"Δz", "", "of the points"},
+      {"filter radius", "texels", "of the points"},
+      {"depth step", "", "of the stored depth, of the points"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const CurveFormula& of : curves.formulas) {
     std::vector<Value> row = of.others;
@@ -163,9 +169,8 @@ std::vector<std::vector<Value>> settings_of(const BiasCurves& curves) {
 }
 
 std::string ranges_text(const BiasFormula& formula) {
-  std::string text =
-      fmt::format("fitted over texel sizes of {} and Δz of {}, {} times the texel size", length_range(formula.texel),
-                  length_range(formula.depth_per_texel), texel_range(formula.slope));
+  std::string text = fmt::format("fitted over texel sizes of {}, Δz of {} ({} texels)", length_range(formula.texel),
+                                 length_range(formula.depth_per_texel), texel_range(formula.slope));
   if (printed_term(formula, FormulaTerm::slope_radius))
     text += fmt::format(", r of {} texels", texel_range(formula.radius));
   if (printed_term(formula, FormulaTerm::depth_step)) text += ", δ of " + length_range(formula.depth_step);
@@ -209,18 +214,36 @@ PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& sett
       largest = std::max(largest, point.bias);
       plot.data.rows.push_back({point.bias, is_rounding ? 0.0 : missed / point.texel, name, true});
     }
-    plot.caption += fmt::format(" {}: {}, {}; {}.", name_of(*of), formula_text(*of->formula),
-                                residual_text(*of->formula), ranges_text(*of->formula));
+    plot.caption +=
+        fmt::format(" {}: {}, {}.", sentence(name_of(*of)), formula_text(*of->formula), residual_text(*of->formula));
   }
   if (const std::string symbols = symbols_text(formulas_at(curves, setting)); !symbols.empty())
     plot.caption += " " + symbols + ".";
   plot.x = {"x", "measured bias [m]", least > 0.0 && largest > 10.0 * least};
+  plot.x.round_ticks = true;
   plot.y = {"y", "formula less measured bias [texels]"};
   if (is_over_texel) {
     plot.x.label = "mean texel size [m]";
     plot.y.label = "constant bias [m]";
   }
   return plot;
+}
+
+// The ranges of the formulas of one setting: once where all have the same.
+std::string ranges_of(const std::vector<const CurveFormula*>& formulas) {
+  std::vector<std::pair<std::string, std::string>> ranges;  // text, names
+  for (const CurveFormula* of : formulas) {
+    if (!of->formula) continue;
+    const std::string text = ranges_text(*of->formula);
+    const auto found = std::ranges::find_if(ranges, [&](const auto& each) { return each.first == text; });
+    if (found == ranges.end()) {
+      ranges.emplace_back(text, name_of(*of));
+    } else {
+      found->second += std::string(", ") + name_of(*of);
+    }
+  }
+  if (ranges.size() == 1) return sentence(ranges.front().first) + ".";
+  return joined(ranges, " ", [](const auto& each) { return sentence(each.second) + ": " + each.first + "."; });
 }
 
 Json range_json(const FormulaRange& range) { return {range.min, range.max}; }
@@ -283,13 +306,14 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   }
   section.tables.push_back({"Formulas of the bias",
                             formulas_table(curves),
-                            {"left out", "error of c0", "error for Δz", "error for r·Δz", "error for δ",
+                            {"left out", "error of the constant part", "error for Δz", "error for r·Δz", "error for δ",
                              "residual in texels", "largest residual"}});
   const std::vector<const CurveFormula*> all = mapped(curves.formulas, [](const CurveFormula& of) { return &of; });
   const std::string symbols = symbols_text(all);
   section.text += fmt::format(
-      "\n\nThe table 'Formulas of the bias' fits the bias over {} by {}. {}{}Use a formula only within the range that "
-      "it was fitted over.",
+      "\n\nThe table 'Formulas of the bias' fits the bias over {} by {}. {}{}Independent points differ in texel size, "
+      "Δz, filter radius or depth step; only they count in the standard errors. Use a formula only within the range "
+      "that it was fitted over.",
       names_of(curves.formula_axes), method, symbols, symbols.empty() ? "" : ". ");
   const std::vector<std::vector<Value>> settings = settings_of(curves);
   for (std::size_t i = 0; i < std::min(settings.size(), max_formula_plots); ++i) {
@@ -312,9 +336,10 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
       const std::string line =
           fmt::format("formula ({}{}{}): {}{}, {}, {}", at, name_of(*of), slope, formula_text(*of->formula),
                       errors.empty() ? "" : "; " + errors, residual_text(*of->formula), points_text(*of));
-      section.text += "\n\n" + line + "; " + ranges_text(*of->formula) + ".";
+      section.text += "\n\n" + sentence(line) + ".";
       if (is_first) presentation.lines.push_back(line);
     }
+    if (any != nullptr) section.text += "\n\n" + ranges_of(formulas);
     for (const std::string& reason : remarks_on(formulas, refused_of))
       section.text += "\n\nLeft out of the " + reason + ".";
     if (any != nullptr) {

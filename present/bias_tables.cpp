@@ -18,6 +18,25 @@ const Value nothing = std::string();
 
 Value known(double number) { return std::isfinite(number) ? Value(number) : nothing; }
 
+// A value of an axis, as it was given.
+Value on_axis(const std::vector<double>& axis, double value) {
+  return with_minus(fmt::format("{:.{}g}", value, digits_on_axis(axis, value)));
+}
+
+// In metres, of an axis in `unit`.
+Value metres_of(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
+  return curves.unit == LengthUnit::metres ? on_axis(curves.constants, cell.constant)
+                                           : known(in_units(curves, curve, cell).metres);
+}
+Value texels_of(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
+  return curves.unit == LengthUnit::texels ? on_axis(curves.constants, cell.constant)
+                                           : known(in_units(curves, curve, cell).texels);
+}
+Value depth_of(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
+  return curves.unit == LengthUnit::map_depth ? on_axis(curves.constants, cell.constant)
+                                              : known(in_units(curves, curve, cell).depth);
+}
+
 // One recommended bias of one curve.
 struct NamedBias {
   const char* name;
@@ -52,12 +71,12 @@ Table choices_table(const BiasCurves& curves) {
       {"in depth", "1", "constant bias in the depth that the map stores, from 0 to 1"},
       {"slope bias", "texels", "slope-scaled bias"},
       {"error", "%", "mean absolute error of visibility"},
-      {"extra error", "%", "error minus that of 'least error'"}};
+      {"extra error", "percentage points", "error minus that of 'least error'"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const Cause cause : {Cause::acne, Cause::false_occlusion, Cause::peter_panning, Cause::light_leak}) {
     table.columns.push_back({std::string(cause_title(cause)), "%", std::string(cause_meaning(cause))});
     if (cause != Cause::peter_panning) continue;
-    table.columns.push_back({"extra peter-panning", "%", "peter-panning minus that of 'least error'"});
+    table.columns.push_back({"extra peter-panning", "percentage points", "peter-panning minus that of 'least error'"});
   }
   for (const BiasCurve& curve : curves.curves) {
     const BiasCell least = *least_error(curve.optima);
@@ -71,12 +90,16 @@ Table choices_table(const BiasCurves& curves) {
         continue;
       }
       const BiasCell& cell = *choice.cell;
-      const BiasInUnits bias = in_units(curves, curve, cell);
-      const std::vector<Value> values = {known(bias.metres),         known(bias.texels),
-                                         known(bias.depth),          cell.slope,
-                                         100.0 * cell.mae,           100.0 * (cell.mae - least.mae),
-                                         100.0 * cell.acne,          100.0 * cell.false_occlusion,
-                                         100.0 * cell.peter_panning, 100.0 * (cell.peter_panning - least.peter_panning),
+      const std::vector<Value> values = {metres_of(curves, curve, cell),
+                                         texels_of(curves, curve, cell),
+                                         depth_of(curves, curve, cell),
+                                         on_axis({}, cell.slope),
+                                         100.0 * cell.mae,
+                                         100.0 * (cell.mae - least.mae),
+                                         100.0 * cell.acne,
+                                         100.0 * cell.false_occlusion,
+                                         100.0 * cell.peter_panning,
+                                         100.0 * (cell.peter_panning - least.peter_panning),
                                          100.0 * cell.leak};
       row.insert(row.end(), values.begin(), values.end());
       table.rows.push_back(std::move(row));
@@ -103,8 +126,8 @@ Table slopes_table(const BiasCurves& curves) {
       std::vector<Value> row = curve.others;
       row.insert(row.end(), {line.slope, 100.0 * line.least_error->mae});
       for (const std::optional<BiasCell>& cell : {line.least_error, line.little_acne, line.acne_free}) {
-        row.push_back(cell ? known(in_units(curves, curve, *cell).metres) : nothing);
-        row.push_back(cell ? known(in_units(curves, curve, *cell).texels) : nothing);
+        row.push_back(cell ? metres_of(curves, curve, *cell) : nothing);
+        row.push_back(cell ? texels_of(curves, curve, *cell) : nothing);
       }
       table.rows.push_back(std::move(row));
     }
@@ -133,9 +156,9 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
     return fmt::format("no bias recommended: {}; {}", withheld_text(*curve.withheld, curve.evidence), least_text);
   }
   const BiasCell& recommended = plateau.recommended;
-  std::string text =
-      fmt::format("use bias {}: error {}; {}", bias_text(curves, curve, recommended), percent(recommended.mae),
-                  range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis));
+  std::string text = fmt::format(
+      "use bias {}: error {}; {}", bias_text(curves, curve, recommended), percent(recommended.mae),
+      range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis, curves.constants));
   if (!plateau.has_little_acne()) text += fmt::format("; acne of {} remains", percent(recommended.acne));
   if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";
   return text;
@@ -162,18 +185,19 @@ std::string explanation(const BiasCurves& curves) {
 
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
   const BiasInUnits bias = in_units(curves, curve, cell);
-  const int digits = digits_on_axis(curves.constants, cell.constant);
+  const int given = digits_on_axis(curves.constants, cell.constant);
+  const int digits = digits_of_step(curves.constants, cell.constant);
   const bool is_in_texels = curves.unit == LengthUnit::texels;
   std::string text = curves.unit == LengthUnit::metres
-                         ? metres_text(cell.constant, digits)
-                         : with_minus(fmt::format("{:.{}g} {}", cell.constant, digits, unit_name(curves.unit)));
+                         ? metres_text(cell.constant, given)
+                         : with_minus(fmt::format("{:.{}g} {}", cell.constant, given, unit_name(curves.unit)));
   const char* average = curve.texels_differ ? " on average" : "";
   if (is_in_texels) {
     text += fmt::format(" ({}{})", metres_text(bias.metres, digits), average);
   } else if (std::isfinite(bias.texels)) {
     text += with_minus(fmt::format(" ({:.{}g} texels{})", bias.texels, digits, average));
   }
-  if (curves.varies_slope) text += ", slope-scaled bias " + with_minus(fmt::format("{:.3g} texels", cell.slope));
+  if (curves.varies_slope) text += ", slope-scaled bias " + to_string(on_axis({}, cell.slope)) + " texels";
   return text;
 }
 

@@ -35,12 +35,13 @@ std::string part_of(const NamedLayer& layer) {
 
 }  // namespace
 
-ErrorImages error_images_of(const std::vector<Figure>& figures, const LayeredImage& layers) {
+ErrorImages error_images_of(const std::vector<Figure>& figures, const LayeredImage& layers, const std::string& prefix) {
   const Image<std::uint8_t> backdrop = backdrop_of(layers);
   ErrorImages errors;
   for (const Figure& each : figures) {
     const auto* const figure = std::get_if<ImageFigure>(&each);
-    const std::optional<NamedLayer> layer = figure != nullptr ? find_layer(figure->stem) : std::nullopt;
+    if (figure == nullptr || !figure->stem.starts_with(prefix)) continue;
+    const std::optional<NamedLayer> layer = find_layer(std::string_view(figure->stem).substr(prefix.size()));
     ErrorImage error;
     if (layer) error.part = part_of(*layer);
     if (error.part.empty()) continue;
@@ -56,6 +57,17 @@ ErrorImages error_images_of(const std::vector<Figure>& figures, const LayeredIma
     error.shows_errors = described.role == ViewerRole::error || !error.wrong_category.empty();
     if (error.shows_errors && image_size(*figure) == ivec2(backdrop.width, backdrop.height)) error.backdrop = backdrop;
     errors.emplace(figure->stem, std::move(error));
+  }
+  return errors;
+}
+
+ErrorImages error_images_of(const std::vector<Figure>& figures, const RunResults& results) {
+  if (results.measurement) return error_images_of(figures, results.measurement->layers);
+  ErrorImages errors;
+  if (!results.tune) return errors;
+  // Images of all points share their parts, so that the insets show the same region.
+  for (const TunePointImages& point : results.tune->points) {
+    errors.merge(error_images_of(figures, point.measurement.layers, stem_prefix(point)));
   }
   return errors;
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "present/plot_axes.h"
 #include "results/number_text.h"
 
 namespace umbrameter {
@@ -20,11 +21,12 @@ std::string few_text(std::uint64_t pixels, std::uint64_t counted, const char* wh
 }  // namespace
 
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
-                       const char* only) {
+                       const char* only, const std::vector<double>& axis) {
   const double first = plateau.first.constant;
   const double last = plateau.last.constant;
   const auto number = [&](double bias) {
-    return unit == LengthUnit::metres ? metres_text(bias) : with_minus(fmt::format("{:.3g}", bias));
+    const int digits = axis.empty() ? 3 : digits_on_axis(axis, bias);
+    return unit == LengthUnit::metres ? metres_text(bias, digits) : with_minus(fmt::format("{:.{}g}", bias, digits));
   };
   const std::string of_unit = unit == LengthUnit::metres ? "" : fmt::format(" {}", unit_name(unit));
   const bool is_only = first == last;

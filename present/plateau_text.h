@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compare/bias_plateau.h"
 #include "core/parameters.h"
@@ -14,9 +15,10 @@ namespace umbrameter {
 inline constexpr const char* only_of_axis = "only this bias of the axis";
 
 /// "2.2 to 18 texels are within 5 % of the least error, 0.271 %". The biases are in `unit`; `what` is "error" or
-/// "cost", and `least` its least value as text, which may be empty. `only` begins the text of a single bias.
+/// "cost", and `least` its least value as text, which may be empty. `only` begins the text of a single bias. Values of
+/// an axis that is given are printed as it has them.
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
-                       const char* only = "only this bias");
+                       const char* only = "only this bias", const std::vector<double>& axis = {});
 
 /// Why no bias is recommended and what to do: "no counted pixel is in shadow, so a large bias costs nothing;
 /// --scene.ground adds a floor".

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
 
 namespace umbrameter {
 
 std::string label_of(const SweepAxis& axis) {
   std::string label = axis.key.substr(axis.key.find('.') + 1);
   std::replace(label.begin(), label.end(), '-', ' ');
-  return label + (axis.unit.empty() ? "" : " [" + axis.unit + "]");
+  return label + (axis.unit.empty() || axis.unit == "1" ? "" : " [" + axis.unit + "]");
 }
 
 bool is_logarithmic(const SweepAxis& axis) {
@@ -31,12 +32,22 @@ bool is_logarithmic(const SweepAxis& axis) {
   return values.size() > 2 && values.back() / values.front() > 2.0;
 }
 
-int digits_on_axis(const std::vector<double>& axis, double value) {
+int digits_of_step(const std::vector<double>& axis, double value) {
   const auto place = std::lower_bound(axis.begin(), axis.end(), value);
   const bool is_between = place != axis.begin() && place != axis.end() && std::next(place) != axis.end();
   if (!is_between || value == 0.0) return 3;
   const double step = 0.5 * (*std::next(place) - *std::prev(place)) / std::abs(value);
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 3, 6);
+}
+
+int digits_on_axis(const std::vector<double>& axis, double value) {
+  constexpr int most = 6;  // more are those of a computed value
+  const int of_step = digits_of_step(axis, value);
+  for (int digits = of_step; digits <= most; ++digits) {
+    const double printed = std::stod(fmt::format("{:.{}g}", value, digits));
+    if (std::abs(printed - value) <= 1e-12 * std::abs(value)) return digits;
+  }
+  return of_step;
 }
 
 Thinned thin(std::size_t count, std::size_t most) {

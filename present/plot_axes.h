@@ -16,7 +16,11 @@ std::string label_of(const SweepAxis& axis);
 /// resolution or in equal ratios.
 bool is_logarithmic(const SweepAxis& axis);
 
-/// As many significant digits as tell the value from its neighbours on the axis, ascending, and no fewer than 3.
+/// As many significant digits as tell the value from its neighbours on the axis, ascending, and no fewer than 3. What
+/// is derived from a value of the axis has no more.
+int digits_of_step(const std::vector<double>& axis, double value);
+
+/// Those, or as many as the value itself was given with, up to 6: 0.05625 has 4.
 int digits_on_axis(const std::vector<double>& axis, double value);
 
 /// Every so many of `count` indices, the last one too.

@@ -78,12 +78,23 @@ void say_engine_notes_once(std::vector<Presentation>& parts);
 /// "engines" of summary.json.
 nlohmann::ordered_json to_json(const std::vector<EngineAdvice>& engines);
 
+/// The parts of a measurement, in the order of the page: the picture, lights, ambient occlusion, the image, debug
+/// views.
+std::vector<Presentation> measured_parts(const SceneFacts& scene, const Measurement& measurement);
+
 /// The image with overlays, and a figure for each of the measurement's debug views.
 Presentation present_debug_views(const Measurement& measurement);
 
-/// Images are recognised by their stems, which are names of layers. The backdrop is the shaded picture of the layers
-/// (R, G, B and A); without them, or where the sizes differ, there is none.
-ErrorImages error_images_of(const std::vector<Figure>& figures, const LayeredImage& layers);
+/// Images are recognised by their stems, which are names of layers after the prefix. The backdrop is the shaded picture
+/// of the layers (R, G, B and A); without them, or where the sizes differ, there is none.
+ErrorImages error_images_of(const std::vector<Figure>& figures, const LayeredImage& layers,
+                            const std::string& prefix = "");
+
+/// The same for the images of a run: of its measurement, or of the points of a tuning.
+ErrorImages error_images_of(const std::vector<Figure>& figures, const RunResults& results);
+
+/// What add_tune_images() puts in front of the stems of a point's figures: "best_".
+std::string stem_prefix(const TunePointImages& point);
 
 /// Sets the values of `layer` to 0 where they enter no statistic, if it is the error of a light's shadow
 /// ("error_visibility_LIGHT"): outside the map, the cone and the range of a light its shadow has no error.

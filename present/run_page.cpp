@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/lists.h"
 #include "present/plot_axes.h"
 #include "present/presentation_parts.h"
 #include "present/sweep_report.h"
@@ -13,26 +14,12 @@
 #include "reports/figures/error_image.h"
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
+#include "store/run_value.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr std::size_t max_table_cells = 20'000;
-
-std::vector<Presentation> measured_parts(const SceneFacts& scene, const Measurement& measurement) {
-  std::vector<Presentation> parts;
-  const LayeredImage& layers = measurement.layers;
-  if (!measurement.image) parts.push_back(present_picture(layers));
-  for (const ShadowMeasurement& shadow : measurement.shadows) {
-    parts.push_back(present_shadow(scene, layers, shadow));
-    if (shadow.shape) present_shape(parts.back(), scene, shadow);
-  }
-  if (measurement.ao) parts.push_back(present_ao(layers, *measurement.ao));
-  if (measurement.ao && measurement.ao->stages) parts.push_back(present_ao_stages(layers, *measurement.ao));
-  if (measurement.image) parts.push_back(present_image(scene, layers, *measurement.image));
-  if (!measurement.debug_views.empty()) parts.push_back(present_debug_views(measurement));
-  return parts;
-}
 
 // The cell of least error.
 Presentation present_cell(const RunResults& results, const std::string& cell) {
@@ -81,12 +68,28 @@ std::string subtitle_of(const SceneFacts& scene, const View& view) {
                      view.camera.name.empty() ? "without a name" : view.camera.name, grouped(scene.triangles));
 }
 
+// "courtyard", "courtyard and room", "courtyard, room, sponza and 2 more".
+std::string scenes_of(const TuneFindings& tune, const std::string& first) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> names = {first};
+  for (const std::string& title : tune.summary.cases) {
+    const std::string name = title.substr(0, title.find(", camera "));
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  // Scenes of one name, in files of different folders, cannot be told apart.
+  names.resize(std::min({most, names.size(), tune.scenes}));
+  const std::size_t more = tune.scenes - names.size();
+  if (more > 0) return joined(names, ", ") + fmt::format(" and {} more", more);
+  const std::string last = names.back();
+  names.pop_back();
+  return names.empty() ? last : joined(names, ", ") + " and " + last;
+}
+
 void add_head(Report& report, const RunResults& results) {
   const std::string scene = scene_title(results.experiment);
   if (results.tune) {
     const std::size_t cases = results.tune->summary.cases.size();
-    const std::size_t scenes = results.tune->scenes;
-    report.title = fmt::format("{}{}: tuning", scene, scenes > 1 ? fmt::format(" and {} more", scenes - 1) : "");
+    report.title = scenes_of(*results.tune, scene) + ": tuning";
     report.subtitle = fmt::format("{}, {}×{} pixels", cases == 1 ? "1 case" : fmt::format("{} cases", cases),
                                   results.experiment.view.size.width, results.experiment.view.size.height);
     report.command_title = "Measure the best point";
@@ -153,12 +156,32 @@ ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment
 
 }  // namespace
 
+std::vector<Presentation> measured_parts(const SceneFacts& scene, const Measurement& measurement) {
+  std::vector<Presentation> parts;
+  const LayeredImage& layers = measurement.layers;
+  if (!measurement.image) parts.push_back(present_picture(layers));
+  for (const ShadowMeasurement& shadow : measurement.shadows) {
+    parts.push_back(present_shadow(scene, layers, shadow));
+    if (shadow.shape) present_shape(parts.back(), scene, shadow);
+  }
+  if (measurement.ao) parts.push_back(present_ao(layers, *measurement.ao));
+  if (measurement.ao && measurement.ao->stages) parts.push_back(present_ao_stages(layers, *measurement.ao));
+  if (measurement.image) parts.push_back(present_image(scene, layers, *measurement.image));
+  if (!measurement.debug_views.empty()) parts.push_back(present_debug_views(measurement));
+  return parts;
+}
+
 void leave_out_figures(RunPage& page) {
   page.viewer = {};
   for (Presentation& part : page.parts) {
     part.figures.clear();
     part.section.figures.clear();
   }
+}
+
+std::string stored_view(const std::filesystem::path& folder) {
+  const std::optional<RunResults> results = read_run_value(folder, false);
+  return results && results->measurement ? subtitle_of(results->scene, results->measurement->surfels.view) : "";
 }
 
 RunPage present_run(const RunResults& results, const SweepResults* rows, const PageOptions& options) {
@@ -200,10 +223,14 @@ std::vector<std::string> draw_figures(const std::filesystem::path& folder, const
   for (Presentation& part : page.parts) std::ranges::move(part.figures, std::back_inserter(figures));
   FigureStyle style = options.style;
   ErrorImages errors;
-  if (results.measurement) {
-    const View& view = results.measurement->surfels.view;
+  const Measurement* const shown = results.measurement ? &*results.measurement
+                                   : results.tune && !results.tune->points.empty()
+                                       ? &results.tune->points.front().measurement
+                                       : nullptr;
+  if (shown != nullptr) {
+    const View& view = shown->surfels.view;
     style.view = {view.width, view.height};
-    errors = error_images_of(figures, results.measurement->layers);
+    errors = error_images_of(figures, results);
     complete_error_images(figures, errors, style);
   }
   auto figure = figures.cbegin();

@@ -41,11 +41,16 @@ std::vector<std::string> figure_files(const RunPage& page);
 /// Whether it is a sweep that kept its cells.
 bool has_stored_cells(const std::filesystem::path& folder, const StoredRun& run);
 
+/// What a finished run shows: "1280×720 pixels, camera overview, 95,204 triangles". Empty of a tuning, and of a run
+/// that another version stored. Throws Error as read_run_value() does.
+std::string stored_view(const std::filesystem::path& folder);
+
 /// The figures of a finished run, drawn again from what it stored; no cell is measured and no scene is read. Of
 /// images.exr, as compare draws them: reference, technique, error and causes of each light, ambient occlusion and its
 /// stages, the error of the shaded image. Of summary.json: the stages as a sum. Of a sweep that kept its cells: its
-/// plots and heat maps; of another version's sweep without the fits that need facts of the scene. Throws Error as
-/// FinishedSweep and read_run_value() do.
+/// plots and heat maps; of another version's sweep without the fits that need facts of the scene. Captions name
+/// technique and settings as those of the run do, unless another version stored it. Throws Error as FinishedSweep and
+/// read_run_value() do.
 std::vector<Figure> stored_figures(const std::filesystem::path& folder, const StoredRun& run);
 
 /// Draws the figures into DIR/figures, in parallel, and completes their captions. Returns a line for each that could

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "present/presentation_parts.h"
+#include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
 #include "results/number_text.h"
 
@@ -25,6 +26,8 @@ constexpr const char* rays_only_mark = "*";
 std::string compared_text(const ComparedValue& value) {
   const double scale = scale_of(value.measured.unit);
   const auto [number, lower, upper] = estimate_of(value);
+  const bool is_count = value.measured.unit == "px" && number >= 0.0 && number == std::floor(number);
+  if (is_count && !(value.half_width > 0.0)) return grouped(static_cast<std::uint64_t>(number));
   const std::string text = value.half_width > 0.0 ? estimate_text({scale * number, scale * lower, scale * upper}, "")
                                                   : with_half_width(scale * number, 0.0);
   return text + (value.interval == IntervalOf::rays ? rays_only_mark : "");
@@ -110,7 +113,8 @@ Table rows_of_errors(const std::vector<StoredRun>& runs, const std::vector<const
   for (const ComparedStatistic* each : errors) {
     if (unit_of(*each) != unit) unit.clear();
   }
-  Table table{{{head_with_unit(first_run > 0 ? "Difference" : "Error", unit), "", ""}}, {}};
+  const std::string what = first_run > 0 ? "Difference to " + runs.front().name : "Error";
+  Table table{{{head_with_unit(what, unit), "", ""}}, {}};
   for (std::size_t run = first_run; run < runs.size(); ++run) table.columns.push_back({runs[run].name, "", ""});
   for (const ComparedStatistic* each : errors) {
     std::vector<Value> row(table.columns.size(), std::string("—"));

@@ -130,9 +130,14 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   figure.stem = "edge_distance_" + layer;
   figure.title = "Distance of errors from shadow edges: " + title;
   figure.caption =
-      "Share of each cause's error within a distance of the nearest edge of the hard shadow. Aliasing lies within one "
-      "or "
-      "two texels of an edge, or within half a pixel where that is more; acne lies farther away.";
+      shape.components
+          ? "Share of each cause's error within a distance of the nearest edge of the hard shadow. Aliasing lies "
+            "within "
+            "one or two texels of an edge, or within half a pixel where that is more; acne lies farther away."
+          : "Share of the error that is too dark, and of that too bright, within a distance of the nearest edge of the "
+            "hard shadow of the light's centre. Errors of the penumbra lie within its width of that edge; errors "
+            "farther "
+            "away have another cause.";
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};
   figure.series = "part";

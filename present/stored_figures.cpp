@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -12,6 +14,21 @@
 #include "store/run_value.h"
 
 namespace umbrameter {
+namespace {
+
+// Those of the same figures of the run itself, which name the technique and its settings.
+void take_captions(std::vector<Figure>& figures, const RunResults& results) {
+  std::map<std::string, std::string> captions;
+  for (const Presentation& part : measured_parts(results.scene, *results.measurement)) {
+    for (const Figure& figure : part.figures) captions.emplace(head_of(figure).stem, head_of(figure).caption);
+  }
+  for (Figure& figure : figures) {
+    const auto found = captions.find(head_of(figure).stem);
+    if (found != captions.end()) head_of(figure).caption = found->second;
+  }
+}
+
+}  // namespace
 
 bool has_stored_cells(const std::filesystem::path& folder, const StoredRun& run) {
   std::error_code error;
@@ -36,10 +53,14 @@ std::vector<Figure> stored_figures(const std::filesystem::path& folder, const St
   add(Layer::cause_image, "", "Cause of the image's error", image_cause_caption);
   add_ao_stage_figures(all, run.images);
   if (run.ao_stages && run.ao_stages->total.pixels > 0) add_figure(all, ao_stages_waterfall(*run.ao_stages));
+  std::optional<RunResults> results = read_run_value(folder, false);
+  if (results && results->measurement) {
+    results->measurement->layers = run.images;
+    take_captions(all.figures, *results);
+  }
   if (has_stored_cells(folder, run)) {
     const FinishedSweep sweep(folder);
     const SweepResults rows = sweep.rows();
-    const std::optional<RunResults> results = read_run_value(folder, false);
     const std::optional<BiasCurves> curves = results ? results->sweep->curves : read_bias_curves(rows);
     std::ranges::move(present_sweep(rows, best_rows(rows), curves, {}).figures, std::back_inserter(all.figures));
   }

@@ -38,6 +38,7 @@ PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan) {
   plot.caption = summary.axes.size() > 1 ? "The other parameters have their best values. The ring is the best point."
                                          : "The ring is the best point.";
   plot.x = {"value", label_of(axis.axis), axis.is_logarithmic};
+  plot.x.round_ticks = axis.is_continuous;
   plot.y = {"cost", cost_label(summary.goal)};
   plot.mark = "best";
   plot.data.columns = {{"value", axis.axis.unit, "value"}, {"cost", "1", "cost"}, {"best", "", "best point"}};
@@ -119,6 +120,8 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
   return plot;
 }
 
+std::string stem_prefix(const TunePointImages& point) { return point.name + "_"; }
+
 ViewerPack add_tune_images(Presentation& part, const SceneFacts& scene, const TuneFindings& tune) {
   ViewerPack pack;
   pack.title = "Best and default point";
@@ -131,7 +134,7 @@ ViewerPack add_tune_images(Presentation& part, const SceneFacts& scene, const Tu
       FigureHead& figure = head_of(image);
       // All points have the same reference.
       if (figure.stem.starts_with("truth_") && &point != &tune.points.front()) continue;
-      figure.stem = point.name + "_" + figure.stem;
+      figure.stem = stem_prefix(point) + figure.stem;
       figure.caption += fmt::format(" The {} point in {}.", point.name, title);
       pack.layers.insert(figure.stem);
       add_figure(part, std::move(image));

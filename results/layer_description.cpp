@@ -6,7 +6,7 @@ namespace umbrameter {
 namespace {
 
 constexpr std::string_view visibility_label = "visibility: 0 blocked, 1 lit";
-constexpr std::string_view accessibility_label = "accessibility: 1 open";
+constexpr std::string_view accessibility_label = "accessibility: 0 closed, 1 open";
 constexpr std::string_view error_label = "technique − reference: below 0 is too dark";
 constexpr std::string_view luminance_label = "technique − reference [luminance, 1 is white]: below 0 is too dark";
 constexpr std::string_view stage_label = "change of accessibility: below 0 darkens";

@@ -60,6 +60,7 @@ struct Axis {
   std::string label;   ///< quantity and unit: "constant bias [m]"
   bool logarithmic = false;
   bool square_root = false;  ///< spreads small shares out and has a place for 0
+  bool round_ticks = false;  ///< of a logarithmic x: its values, however few, are of a search or measured, not given
 };
 
 /// Lines of y against x, one for each value of the series column, with a band where both bounds are given.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace umbrameter {
 namespace {
@@ -46,6 +47,34 @@ bool is_hatched(Hatch hatch, int x, int y, int period) {
     }
   }
   return false;
+}
+
+Image<std::uint8_t> hatchable(const Image<std::uint8_t>& category, int side) {
+  const auto [width, height] = std::pair(category.width, category.height);
+  Image<int> square(width, height, 1);  // side of the largest square of one category that ends at the pixel
+  for (int y = 1; y < height; ++y) {
+    for (int x = 1; x < width; ++x) {
+      const std::uint8_t own = category.at(x, y);
+      if (category.at(x - 1, y) != own || category.at(x, y - 1) != own || category.at(x - 1, y - 1) != own) continue;
+      square.at(x, y) = 1 + std::min({square.at(x - 1, y), square.at(x, y - 1), square.at(x - 1, y - 1)});
+    }
+  }
+  // From their last corner the squares reach back along rows, and these along columns.
+  Image<int> reach(width, height);
+  for (int y = height; y-- > 0;) {
+    for (int x = width; x-- > 0;) {
+      reach.at(x, y) = square.at(x, y) >= side ? side : x + 1 < width ? std::max(0, reach.at(x + 1, y) - 1) : 0;
+    }
+  }
+  Image<std::uint8_t> result(width, height);
+  for (int x = 0; x < width; ++x) {
+    int rows = 0;
+    for (int y = height; y-- > 0;) {
+      rows = reach.at(x, y) > 0 ? side : std::max(0, rows - 1);
+      result.at(x, y) = rows > 0;
+    }
+  }
+  return result;
 }
 
 std::string hatch_pattern(const std::string& id, Hatch hatch, const glm::u8vec3& ground, int period) {

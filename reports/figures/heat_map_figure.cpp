@@ -10,6 +10,7 @@
 
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
+#include "reports/figures/plot_ticks.h"
 
 namespace umbrameter {
 namespace {

@@ -134,12 +134,16 @@ std::string hex(const glm::u8vec3& color) { return fmt::format("#{:02x}{:02x}{:0
 // Distance of the lines of hatched areas.
 int hatch_period(const Layout& layout) { return std::max(4, layout.unit / 3); }
 
-// Draws the hatching of each category onto the pixels of a region; `scale` pixels stand for one of the image.
+// Draws the hatching of each category onto the pixels of a region; `scale` pixels stand for one of the image. Marks of
+// less than a period keep their plain colour.
 void hatch(Image<glm::u8vec3>& pixels, const Image<std::uint8_t>& categories, const ImageFigure& figure, ivec2 corner,
            int scale, int period) {
+  const Image<std::uint8_t> is_large = hatchable(categories, (period + scale - 1) / scale);
   for (int y = 0; y < pixels.height; ++y) {
     for (int x = 0; x < pixels.width; ++x) {
-      const CategoryColor& category = figure.categories[categories.at(corner.x + x / scale, corner.y + y / scale)];
+      const ivec2 at = corner + ivec2(x, y) / scale;
+      if (is_large.at(at.x, at.y) == 0) continue;
+      const CategoryColor& category = figure.categories[categories.at(at.x, at.y)];
       if (is_hatched(category.hatch, x, y, period)) pixels.at(x, y) = hatch_ink(category.color);
     }
   }

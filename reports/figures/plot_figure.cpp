@@ -10,6 +10,7 @@
 
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
+#include "reports/figures/plot_ticks.h"
 #include "reports/files/markup.h"
 
 namespace umbrameter {
@@ -124,8 +125,16 @@ Points collect_points(const PlotFigure& figure, bool has_numeric_x) {
   return points;
 }
 
-// The x axis of few values has its ticks at these. The y axis ends at ticks.
-void set_log_scale(Json& axis, bool is_x, const Json& rows) {
+// A scale that ends at ticks.
+void set_range(Json& axis, const TickedRange& range) {
+  axis["scale"]["nice"] = false;
+  axis["scale"]["domain"] = {range.first, range.last};
+  axis["axis"]["values"] = range.ticks;
+  axis["axis"].erase("tickCount");  // it would leave out every second one
+}
+
+// The x axis of few values has its ticks at these, if they were given.
+void set_log_scale(Json& axis, bool is_x, bool has_given_values, const Json& rows) {
   axis["scale"]["type"] = "log";
   std::set<double> values;
   for (const Json& row : rows) {
@@ -135,21 +144,23 @@ void set_log_scale(Json& axis, bool is_x, const Json& rows) {
   }
   if (values.size() < 2) return;
   constexpr std::size_t most_values = 8;
-  const bool are_few = is_x && values.size() <= most_values;
-  double lowest = *values.begin();
-  double highest = *values.rbegin();
-  if (!is_x) {
-    lowest = log_floor(lowest);
-    highest = log_ceil(highest);
-    axis["scale"]["nice"] = false;
-    axis["scale"]["domain"] = {lowest, highest};
+  if (is_x && has_given_values && values.size() <= most_values) {
+    axis["axis"].erase("tickCount");
+    axis["axis"]["values"] = values;
+  } else {
+    set_range(axis, log_range(*values.begin(), *values.rbegin()));
   }
-  const std::vector<double> ticks =
-      are_few ? std::vector<double>(values.begin(), values.end()) : log_ticks(lowest, highest);
-  if (ticks.empty()) return;
-  axis["axis"].erase("tickCount");  // it would leave out every second one
-  axis["axis"]["values"] = ticks;
-  axis["axis"]["labelExpr"] = log_tick_label(ticks);
+  axis["axis"]["labelExpr"] = log_tick_label(axis["axis"]["values"].get<std::vector<double>>());
+}
+
+void set_square_root_scale(Json& axis, bool is_x, const Json& rows, double length) {
+  axis["scale"]["type"] = "sqrt";
+  axis["scale"]["zero"] = true;
+  double highest = 0.0;
+  for (const Json& row : rows) highest = std::max(highest, row.at(is_x ? "x" : "y").get<double>());
+  if (highest <= 0.0) return;
+  set_range(axis, square_root_range(highest, length, is_x));
+  axis["axis"]["format"] = "~g";
 }
 
 Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Json& rows, const FigureStyle& style) {
@@ -157,7 +168,8 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
   result["field"] = field;
   result["type"] = is_numeric_axis ? "quantitative" : "nominal";
   const bool is_x = std::string_view(field) == "x";
-  result["axis"]["title"] = fitting_label(axis.label, is_x ? plot_width(style) : height_of_plot(style));
+  const double length = is_x ? plot_width(style) : height_of_plot(style);
+  result["axis"]["title"] = fitting_label(axis.label, length);
   if (!is_numeric_axis) {
     result["sort"] = nullptr;
     // Every name is drawn: where they do not fit beside each other, they are slanted.
@@ -176,10 +188,9 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
   result["axis"]["tickCount"] = axis.logarithmic ? 5 : 6;
   result["scale"] = {{"nice", !is_x}};
   if (axis.logarithmic) {
-    set_log_scale(result, is_x, rows);
+    set_log_scale(result, is_x, !axis.round_ticks, rows);
   } else if (axis.square_root) {
-    result["scale"]["type"] = "sqrt";
-    result["scale"]["zero"] = true;
+    set_square_root_scale(result, is_x, rows, length);
   } else {
     result["scale"]["zero"] = !is_x;
   }

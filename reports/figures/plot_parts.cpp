@@ -51,47 +51,6 @@ Json fitting_label(const std::string& label, double units) {
   return lines.size() > 1 ? Json(lines) : Json(label);
 }
 
-std::vector<double> log_ticks(double lowest, double highest) {
-  constexpr std::size_t most = 8;  // that a reader takes in, and that fit beside each other
-  const double slack = 1e-9;       // a tick at an end of the range is within it
-  const auto within = [&](const std::vector<int>& digits, int step) {
-    std::vector<double> ticks;
-    const int first = static_cast<int>(std::floor(std::log10(lowest)));
-    const int last = static_cast<int>(std::ceil(std::log10(highest)));
-    for (int power = first; power <= last; ++power) {
-      if (power % step != 0) continue;
-      for (const int digit : digits) {
-        // 5 / 100 is the double nearest to 0.05; 5 · 0.01 need not be.
-        const double tick = power < 0 ? digit / std::pow(10.0, -power) : digit * std::pow(10.0, power);
-        if (tick >= lowest * (1.0 - slack) && tick <= highest * (1.0 + slack)) ticks.push_back(tick);
-      }
-    }
-    return ticks;
-  };
-  std::vector<double> ticks = within({1, 2, 5}, 1);
-  for (int step = 1; ticks.size() > most; ++step) ticks = within({1}, step);
-  if (ticks.size() < 2) ticks.clear();
-  return ticks;
-}
-
-const char* log_tick_label(const std::vector<double>& ticks) {
-  const auto is_long = [](double tick) { return tick < 0.999e-3 || tick > 0.999e6; };
-  return std::ranges::any_of(ticks, is_long) ? "replace(format(datum.value, '~e'), '+', '')"
-                                             : "format(datum.value, '~g')";
-}
-
-double log_floor(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
-  const double digit = value / power * (1.0 + 1e-9);
-  return (digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0) * power;
-}
-
-double log_ceil(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
-  const double digit = value / power * (1.0 - 1e-9);
-  return (digit <= 1.0 ? 1.0 : digit <= 2.0 ? 2.0 : digit <= 5.0 ? 5.0 : 10.0) * power;
-}
-
 void add_print_size(Json& specification, const FigureStyle& style, int columns, int rows) {
   if (!style.is_print()) return;
   const double units = plot_units_per_mm(style);

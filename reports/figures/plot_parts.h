@@ -41,18 +41,6 @@ double height_of_plot(const FigureStyle& style);
 /// A label in lines that fit along a side of this many units: a longer one would enlarge the drawing.
 Json fitting_label(const std::string& label, double units);
 
-/// Ticks of a logarithmic axis: 1, 2 and 5 times powers of ten within the range, or the powers alone where these are
-/// too many. Empty where fewer than two lie within it.
-std::vector<double> log_ticks(double lowest, double highest);
-
-/// The next of 1, 2 or 5 times a power of ten at or below, and at or above a positive value.
-double log_floor(double value);
-double log_ceil(double value);
-
-/// How the ticks of a logarithmic axis are labelled: with as many digits as they need, or all with a power of ten,
-/// "1e-5", where some would have more than three decimals or six digits before them.
-const char* log_tick_label(const std::vector<double>& ticks);
-
 /// Tells the drawer how wide a drawing for print is, so that it can fit the plot; `columns` and `rows` of panels.
 void add_print_size(Json& specification, const FigureStyle& style, int columns = 1, int rows = 1);
 

@@ -14,6 +14,7 @@
 #include "core/lists.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
+#include "reports/files/text_layout.h"
 #include "reports/page/page_figure.h"
 #include "reports/page/script_text.h"
 #include "reports/page/template.h"
@@ -36,6 +37,18 @@ std::string cell_text(const Value& value) {
   std::string text = number != nullptr ? fmt::format("{:.6g}", *number) : to_string(value);
   if (!std::holds_alternative<std::string>(value) && text.starts_with('-')) text.replace(0, 1, minus);
   return text;
+}
+
+// Counts of pixels are grouped, as in the page's text. Their unit is the column's, or stands in the row.
+std::string cell_text(const Table& table, std::size_t row, std::size_t column) {
+  const Value& value = table.rows[row][column];
+  const auto* count = std::get_if<std::int64_t>(&value);
+  if (count == nullptr || *count < 0) return cell_text(value);
+  const auto own = std::ranges::find(table.columns, "unit", &Column::name);
+  const auto place = static_cast<std::size_t>(own - table.columns.begin());
+  const bool is_of_row = own != table.columns.end() && place < table.rows[row].size();
+  const std::string unit = is_of_row ? to_string(table.rows[row][place]) : table.columns[column].unit;
+  return unit == "px" ? grouped(static_cast<std::uint64_t>(*count)) : cell_text(value);
 }
 
 // Numbers and what may stand with them: "−0.19", "+8.4 ± 0.7", "(0.05 ± 0.09)*", "11.2 to 11.4", "0.115 %".
@@ -92,7 +105,7 @@ Json table_data(const Table& table, const std::string& caption, const std::vecto
   for (std::size_t r = 0; r < shown; ++r) {
     Json& row = rows.emplace_back(Json::array());
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      row.push_back(c < table.rows[r].size() ? cell_text(table.rows[r][c]) : std::string());
+      row.push_back(c < table.rows[r].size() ? cell_text(table, r, c) : std::string());
     }
   }
   return {{"caption", caption + rest}, {"columns", columns}, {"rows", rows}, {"remarks", remarks}};
@@ -110,7 +123,9 @@ Json cell_data(const Json& column, std::size_t c, const Json& text) {
 std::string label_below(const Json& column) {
   const std::string name = column["name"];
   const std::string unit = column["unit"];
-  return unit.empty() || name.ends_with(unit) ? name : fmt::format("{} [{}]", name, unit);
+  // Columns below others are narrow: the longest word of a unit may break.
+  const std::string breakable = replace_all(unit, "percentage", "percent\u00adage");
+  return unit.empty() || name.ends_with(unit) ? name : fmt::format("{} [{}]", name, breakable);
 }
 
 // Readies a table for its template: columns and cells that stand below others become their parts.

@@ -40,6 +40,34 @@ TEST_F(ReportAgain, Of_a_tuning_is_its_page_with_the_images_of_both_points) {
   EXPECT_TRUE(std::filesystem::exists(run + "/tuned.toml"));
 }
 
+TEST_F(ReportAgain, Of_two_runs_says_what_was_measured_and_with_which_technique) {
+  std::vector<std::string> report = {"report"};
+  for (const char* filter : {"nearest", "box"}) {
+    report.push_back(folder_ / filter);
+    const ProgramResult run = run_program(
+        words(words({"compare", "contact-box", "--measure", "visibility", "--shadow.filter", filter}, small),
+              {"-o", report.back()}));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  const ProgramResult shown = run_program(words(report, {"-o", folder_ / "both"}));
+  ASSERT_EQ(shown.exit_code, 0) << shown.err;
+  const std::string page = text_of(folder_ / "both/index.html");
+  const std::string one = text_of(report[1] + "/index.html");
+  const std::size_t subtitle = one.find("<p class=\"subtitle\">") + 20;
+  const std::string view = one.substr(subtitle, one.find('<', subtitle) - subtitle);
+  EXPECT_NE(page.find("<p class=\"subtitle\">nearest, box: " + view + "<"), std::string::npos) << view;
+  for (const char* technique : {"texels, nearest filter, constant bias", "texels, box filter, constant bias"}) {
+    EXPECT_NE(page.find(technique), std::string::npos) << technique;
+  }
+  EXPECT_NE(page.find("All others are equal; the page of each run lists them"), std::string::npos);
+}
+
+TEST_F(ReportAgain, The_title_of_a_tuning_over_two_scenes_names_both) {
+  const std::string run = out({"tune", "corner", "contact-box", "--vary", "shadow.constant-bias=0:8texels",
+                               "--evaluations", "4", "--no-figures"});
+  EXPECT_NE(text_of(run + "/index.html").find("<h1>corner and contact-box: tuning</h1>"), std::string::npos);
+}
+
 TEST_F(ReportAgain, Names_a_damaged_value_and_shows_that_of_another_version_from_its_layers) {
   const std::string run = out({"compare", "contact-box", "--measure", "visibility", "--no-figures"});
   const std::string path = run + "/run.bin";

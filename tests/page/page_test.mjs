@@ -213,6 +213,18 @@ test('wrong pixels of a small picture are enlarged where they stand among right 
   await close();
 });
 
+test('the legend of causes over the picture has no colours that the picture replaces', async () => {
+  const {page, close} = await open_page(out, {fragment: '#view=single&group=sun&a=class_sun'});
+  const names = () => page.locator('.legend .categories li').allInnerTexts();
+  const causes = ['acne', 'false occlusion', 'peter-panning', 'light leak'];
+  assert.deepEqual(await names(), [...causes, 'grey: the picture (correct or not counted)']);
+  await go(page, 'view=single&group=sun&a=class_sun&errors=plain');
+  await expect_fragment(page, {errors: 'plain'});
+  await page.locator('.legend .categories li', {hasText: /^correct$/}).waitFor();
+  assert.deepEqual(await names(), ['correct', ...causes, 'not counted', 'background']);
+  await close();
+});
+
 test('keys go to the largest error and through connected regions', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
   const {page, close} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion'});
@@ -220,6 +232,13 @@ test('keys go to the largest error and through connected regions', async () => {
   const [x, y] = (await expect_fragment(page, {pixel: /,/})).pixel.split(',').map(Number);
   const errors = channels['error_ao.Y'].map(Math.abs);
   assert.ok(errors[y * size.width + x] >= Math.max(...errors) * (1 - 2 ** -10));
+  // The line says what the inspector says.
+  const value = await page.locator('.inspector tr', {hasText: /^Error/}).first().locator('td').innerText();
+  await page.getByText(`Largest error: ${value} on `).waitFor();
+  await go(page, 'view=single&group=ambient occlusion&a=truth_ao_standard_error');
+  await page.locator('.legend .name', {hasText: 'Standard error of the reference'}).waitFor();
+  assert.match(await page.locator('.legend .end').innerText(), /^0\.0*[1-9]\d?$/, 'two digits of an uncertainty');
+  await go(page, 'view=grid&group=ambient occlusion');
   await page.getByRole('button', {name: 'Region ▸'}).click();
   await page.getByText(/^Region 1 of \d+: \d+ pixels, summed error/).waitFor();
   await page.locator('.stage').press('n');
@@ -239,7 +258,7 @@ test('the list, a button and keys go through objects, whose errors are those of 
     [...row.cells].map((cell) => cell.textContent)));
   await page.locator('.objects summary').click();
   const list = page.locator('.objects button');
-  const objects = (await list.allInnerTexts()).map((text) => /^(.*?)\s+([\d.]+) % of (\d+) px$/s.exec(text).slice(1));
+  const objects = (await list.allInnerTexts()).map((text) => /^(.*?)\s+([\d.]+) % of ([\d,]+) px$/s.exec(text).slice(1));
   for (const [name, count, error] of rows.slice(0, 5)) {
     const object = objects.find(([other, , pixels]) => other === name && pixels === count);
     assert.ok(object, `${name} of ${count} pixels`);
@@ -302,6 +321,15 @@ test('tables are sorted, filtered and downloaded', async () => {
   await page.keyboard.press('Enter');
   assert.deepEqual(await errors(), [...ascending].sort((a, b) => b - a));
   assert.equal(await region.locator('th[aria-sort]').getAttribute('aria-sort'), 'descending');
+  // Counts are grouped, "4,258", and sorted as numbers; programs get them without commas.
+  const statistics = page.getByRole('region', {name: /Visibility error/}).first();
+  await statistics.getByRole('button', {name: 'value'}).click();
+  await statistics.getByRole('button', {name: 'value'}).click();
+  const count = await statistics.locator('tbody tr td').first().innerText();
+  assert.match(count, /^\d,\d{3}$/, 'the largest number');
+  const whole = page.waitForEvent('download');
+  await statistics.getByRole('button', {name: 'CSV'}).click();
+  assert.match(readFileSync(await (await whole).path(), 'utf8'), new RegExp(`^pixels,${count.replace(',', '')},px,`, 'm'));
   const name = await region.locator('tbody th').first().innerText();
   if (await region.getByRole('searchbox').count() > 0) await region.getByRole('searchbox').fill(name);
   const download = page.waitForEvent('download');

@@ -75,6 +75,26 @@ test('a selected cell shows its images and numbers, which are those of the comma
   await close_linked();
 });
 
+test('the first click on a row of a fresh page selects its cell', async () => {
+  const {page, problems, close} = await open_page(sweep);
+  const cell = page.locator('.cells tr[data-place="3"] td').nth(1);
+  await cell.scrollIntoViewIfNeeded();
+  const {x, y, width, height} = await cell.boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.locator('aside.cell caption', {hasText: 'Cell 3 of'}).waitFor();
+  assert.equal(await page.locator('.cells tr.active').getAttribute('data-place'), '3');
+  const texts = await page.locator('aside.cell table.causes td.number').allInnerTexts();
+  for (const [i, name] of ['acne', 'false occlusion', 'peter-panning', 'light leak'].entries()) {
+    assert.equal(texts[i], await row_of(page.locator('aside.cell table').last(), name).innerText(), 'equal digits');
+  }
+  await page.locator('.cells .rows').evaluate((rows) => rows.blur());
+  assert.equal(await page.locator('.cells tr.active').count(), 0);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('a brushed range of biases, by mouse and by keys, shows the mean over its biases', async () => {
   const {page, problems, close} = await open_page(sweep);
   const shares = await page.evaluate(() => JSON.parse(document.getElementById('viewer-data').textContent).sets[0].biases[0].shares);
@@ -92,6 +112,10 @@ test('a brushed range of biases, by mouse and by keys, shows the mean over its b
   await from.fill('40');
   await to.fill('90');
   await expect_mean(40, 90);
+  // The heading of the numbers is the range, and each slider says where it is.
+  const ends = await page.locator('.range-reading').allInnerTexts();
+  assert.match(ends.join('; '), /^[\d.]+ texels \([\d.]+ .?m\); [\d.]+ texels \([\d.]+ .?m\)$/);
+  assert.equal(await page.locator('.bias .reading').innerText(), ends.join(' to '));
   await expect_fragment(page, {range: /^[\d.]+,[\d.]+$/});
   await from.focus();
   await page.keyboard.press('ArrowRight');
@@ -105,9 +129,9 @@ test('a brushed range of biases, by mouse and by keys, shows the mean over its b
   await page.mouse.down();
   await page.mouse.move(x + 0.6 * width, y + height - 12, {steps: 4});
   await page.mouse.up();
-  const ends = await Promise.all([from, to].map(async (slider) => Number(await slider.inputValue())));
-  assert.ok(ends[1] - ends[0] > 20, String(ends));
-  await expect_mean(...ends);
+  const brushed = await Promise.all([from, to].map(async (slider) => Number(await slider.inputValue())));
+  assert.ok(brushed[1] - brushed[0] > 20, String(brushed));
+  await expect_mean(...brushed);
   assert.equal(await page.locator('svg.curve rect.range').count(), 1);
   assert.equal(new Set(await page.locator('.shares .cause-bar pattern path').evaluateAll((all) =>
     all.map((each) => each.getAttribute('d')))).size, 4, 'a hatch for each cause');

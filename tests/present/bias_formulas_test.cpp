@@ -132,6 +132,32 @@ TEST(BiasFormulas, Only_symbols_that_a_formula_has_are_explained) {
   EXPECT_EQ(symbols_text(only), "");
 }
 
+TEST(BiasFormulas, The_range_is_said_once_and_the_table_has_heads_in_words) {
+  BiasCurves curves = make_curves();
+  add_formulas(curves);
+  Presentation presentation;
+  present_formulas(presentation, curves);
+  const std::string& text = presentation.section.text;
+  const auto count = [&](const std::string& all, const std::string& part) {
+    int found = 0;
+    for (std::size_t at = all.find(part); at != std::string::npos; at = all.find(part, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count(text, "Fitted over texel sizes of "), 2) << "once for each offset: " << text;
+  EXPECT_EQ(count(text, "fitted over texel sizes of "), 0) << text;
+  EXPECT_EQ(count(text, "\n\nFormula ("), 6) << text;
+  EXPECT_NE(text.find("Independent points differ in "), std::string::npos);
+  for (const Figure& figure : presentation.figures) {
+    EXPECT_EQ(head_of(figure).caption.find("fitted over"), std::string::npos) << head_of(figure).caption;
+  }
+  std::vector<std::string> heads;
+  for (const Column& column : presentation.section.tables.at(0).table.columns) heads.push_back(column.name);
+  for (const char* head : {"constant part", "texel sizes", "filter radius"}) {
+    EXPECT_NE(std::ranges::find(heads, head), heads.end()) << head;
+  }
+  for (const char* head : {"c0", "r", "δ", "texels"}) EXPECT_EQ(std::ranges::find(heads, head), heads.end()) << head;
+}
+
 TEST(BiasFormulas, Without_any_point_the_reason_is_said_once) {
   BiasCurves curves = make_curves();
   for (BiasCurve& curve : curves.curves) curve.optima.lines[0].acne_free.reset();

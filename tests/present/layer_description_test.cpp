@@ -36,5 +36,13 @@ TEST(LayerDescriptions, Give_errors_a_scale_about_zero) {
   EXPECT_EQ(color_scale(Layer::truth_ao).first, 0.0);
 }
 
+TEST(LayerDescriptions, Name_both_ends_of_a_share) {
+  for (const Layer layer : {Layer::truth_visibility, Layer::raster_visibility, Layer::truth_ao, Layer::raster_ao}) {
+    const std::string label = color_scale(layer).label;
+    EXPECT_NE(label.find("0 "), std::string::npos) << label;
+    EXPECT_NE(label.find("1 "), std::string::npos) << label;
+  }
+}
+
 }  // namespace
 }  // namespace umbrameter

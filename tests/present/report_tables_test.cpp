@@ -46,6 +46,15 @@ TEST(RunsReportTables, Name_errors_in_words_and_show_too_dark_and_too_bright) {
   EXPECT_EQ(to_string(rows.rows.at(2)[column_index(rows, "statistic")]), "false_blocked") << "names are for programs";
 }
 
+TEST(RunsReportTables, A_printed_difference_names_the_run_that_it_is_to) {
+  std::vector<StoredRun> runs = {stored_shadow({{"mae", 0.03}}, {}), stored_shadow({{"mae", 0.05}}, {})};
+  runs[0].name = "hard";
+  runs[1].name = "box";
+  const PartTables part = part_tables(runs, compare_runs(runs)).at(0);
+  EXPECT_EQ(part.printed_differences.columns[0].name, "Difference to hard [percentage points]");
+  EXPECT_EQ(part.printed_values.columns[0].name, "Error [%]");
+}
+
 TEST(RunsReportTables, A_name_of_several_kinds_has_the_words_of_its_kind) {
   StoredRun run = stored_shadow({{"mean_raster", 0.5}}, {});
   run.statistics[0].kind = "ao";

@@ -166,37 +166,6 @@ TEST(FigureStyle, Long_labels_of_axes_and_legends_are_set_in_lines) {
   for (const Json& line : encoding["y"]["axis"]["title"]) EXPECT_LE(line.get<std::string>().size(), 41u);
 }
 
-TEST(FigureStyle, Ticks_of_a_logarithmic_axis_are_1_2_and_5) {
-  EXPECT_EQ(log_ticks(0.013, 0.6), (std::vector<double>{0.02, 0.05, 0.1, 0.2, 0.5}));
-  EXPECT_EQ(log_ticks(1.0, 100.0), (std::vector<double>{1, 2, 5, 10, 20, 50, 100}));
-  EXPECT_EQ(log_ticks(0.001, 10.0), (std::vector<double>{0.001, 0.01, 0.1, 1, 10})) << "eight at most";
-  EXPECT_TRUE(log_ticks(2.1, 4.9).empty());
-  EXPECT_EQ(log_floor(0.02), 0.02);
-  EXPECT_NEAR(log_floor(0.0199), 0.01, 1e-15);
-  EXPECT_NEAR(log_ceil(0.0201), 0.05, 1e-15);
-  EXPECT_EQ(log_ceil(51.0), 100.0);
-  EXPECT_STREQ(log_tick_label({0.001, 1.0, 100.0}), "format(datum.value, '~g')");
-  for (const std::vector<double>& ticks : {std::vector<double>{1e-5, 0.1, 100.0}, {1.0, 1e6}}) {
-    EXPECT_STREQ(log_tick_label(ticks), "replace(format(datum.value, '~e'), '+', '')") << "1e-5, 1e-1, 1e2";
-  }
-  PlotFigure figure = lines(2);
-  figure.y.logarithmic = true;
-  const Json y = Json::parse(to_plot_specification(figure))["layer"][0]["encoding"]["y"];
-  // 5 to 43.
-  EXPECT_EQ(y["scale"]["domain"], Json({5.0, 50.0}));
-  EXPECT_EQ(y["axis"]["values"], Json({5.0, 10.0, 20.0, 50.0}));
-}
-
-TEST(FigureStyle, Few_values_of_a_logarithmic_axis_have_a_tick_each) {
-  PlotFigure figure = lines(1);
-  figure.x = {"resolution", "resolution [texels]", true};
-  figure.series.reset();
-  figure.data.rows = {{0.0, 5.0, std::int64_t{512}}, {0.0, 3.0, std::int64_t{1024}}, {0.0, 2.0, std::int64_t{4096}}};
-  const Json x = Json::parse(to_plot_specification(figure))["encoding"]["x"];
-  EXPECT_EQ(x["scale"]["type"], "log");
-  EXPECT_EQ(x["axis"]["values"], Json({512.0, 1024.0, 4096.0}));
-}
-
 TEST(FigureStyle, A_title_is_drawn_only_if_asked_for) {
   EXPECT_EQ(to_svg(draw(checker(64, 36))).find("A checkerboard"), std::string::npos);
   EXPECT_FALSE(Json::parse(to_plot_specification(lines(2))).contains("title"));
@@ -383,6 +352,33 @@ TEST(Grey, Hatched_categories_differ_in_print_and_keep_their_colours_on_the_scre
   const double share = static_cast<double>(inked) / static_cast<double>(printed.size());
   EXPECT_GT(share, 0.03);
   EXPECT_LT(share, 0.4) << "the colour stays the larger part";
+}
+
+// A line of the hatching hides a mark that is smaller than their distance, or misses it.
+TEST(Grey, Marks_that_are_too_small_for_hatching_keep_their_colour) {
+  Image<std::uint8_t> category(12, 9);
+  for (int y = 2; y < 6; ++y) {
+    for (int x = 3; x < 7; ++x) category.at(x, y) = 1;  // a square of 4
+  }
+  for (int x = 8; x < 12; ++x) category.at(x, 4) = 1;  // a line
+  category.at(1, 8) = 1;
+  const Image<std::uint8_t> large = hatchable(category, 4);
+  for (int y = 0; y < 9; ++y) {
+    for (int x = 0; x < 12; ++x) {
+      const bool is_in_square = x >= 3 && x < 7 && y >= 2 && y < 6;
+      if (category.at(x, y) == 1) {
+        EXPECT_EQ(large.at(x, y), is_in_square) << x << ", " << y;
+      }
+    }
+  }
+  ImageFigure figure;
+  figure.stem = "classes";
+  figure.category = Image<std::uint8_t>(640, 360);
+  figure.categories = {{"correct", {240, 240, 240}}, {"leak", {86, 180, 233}, Hatch::dots}};
+  for (int i = 0; i < 300; i += 3) figure.category.at(2 * i, i) = 1;
+  const Image<glm::u8vec3> printed = draw(figure, style_of("column")).images[0].pixels;
+  EXPECT_EQ(std::count(printed.pixels.begin(), printed.pixels.end(), hatch_ink({86, 180, 233})), 0);
+  EXPECT_EQ(std::count(printed.pixels.begin(), printed.pixels.end(), glm::u8vec3(86, 180, 233)), 100);
 }
 
 }  // namespace

@@ -49,6 +49,21 @@ TEST(PageParts, Columns_of_intervals_are_set_right_and_heads_do_not_break_within
   EXPECT_TRUE(contains(page, ">95\u00a0%</th>")) << page;
 }
 
+TEST(PageParts, Counts_of_pixels_are_grouped_as_in_the_text) {
+  const TemporaryFolder folder;
+  const std::string page =
+      page_of(folder, of_table({{{"object", "", ""}, {"pixels", "px", ""}, {"resolution", "texels", ""}},
+                                {{std::string("wall"), std::int64_t{47311}, std::int64_t{16384}}}}));
+  EXPECT_TRUE(contains(page, "<td class=\"number\">47,311</td>")) << page;
+  EXPECT_TRUE(contains(page, "<td class=\"number\">16384</td>")) << page;
+  const std::string statistics =
+      page_of(folder, of_table({{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}},
+                                {{std::string("pixels"), std::int64_t{47311}, std::string("px")},
+                                 {std::string("rays"), std::int64_t{20000}, std::string("1")}}}));
+  EXPECT_TRUE(contains(statistics, "<td class=\"number\">47,311</td>")) << statistics;
+  EXPECT_TRUE(contains(statistics, "<td class=\"number\">20000</td>")) << statistics;
+}
+
 TEST(PageParts, Settings_that_differ_from_their_defaults_come_first_and_all_are_folded) {
   const TemporaryFolder folder;
   Report report;

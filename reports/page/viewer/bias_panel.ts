@@ -3,12 +3,11 @@ import {best_index, bias_text, images_of, mean_shares, total_of} from './bias';
 import {cause_bar, cause_names} from './cause_bars';
 import {Curve, Ink} from './curve';
 import {Bias, used_index} from './data';
+import {percent_text} from './digits';
 import {make, make_svg} from './dom';
 import type {Viewer} from './viewer';
 
 const dashes = ['', '7 3', '2 3', '9 3 2 3']; // tell the causes apart in grey
-
-const percent = (share: number) => `${share === 0 ? '0' : (100 * share).toPrecision(3)} %`;
 
 export class BiasPanel {
   readonly element = make('div', {class: 'bias'});
@@ -73,8 +72,9 @@ export class BiasPanel {
     const from = end('from', (value) => [value, Math.max(value, bias.range?.[1] ?? last)]);
     const to = end('to', (value) => [Math.min(value, bias.range?.[0] ?? 0), value]);
     const clear = make('button', {type: 'button', click: () => viewer.select_range(null)}, 'Clear range');
-    const brush = make('div', {class: 'row'}, make('label', {class: 'field'}, make('span', {}, 'Range from'), from),
-                       make('label', {class: 'field'}, make('span', {}, 'to'), to), clear);
+    const ends = [from, to].map(() => make('output', {class: 'range-reading'}));
+    const brush = make('div', {class: 'row'}, make('label', {class: 'field'}, make('span', {}, 'Range from'), from, ends[0]),
+                       make('label', {class: 'field'}, make('span', {}, 'to'), to, ends[1]), clear);
     const sample = (ink: Ink | null) => make_svg('svg', {class: 'sample', 'aria-hidden': 'true', viewBox: '0 0 30 8'},
       make_svg('line', {x1: 0, x2: 30, y1: 4, y2: 4, class: ink ? 'cause' : 'total', 'stroke-dasharray': ink?.dash ?? '',
                         ...(ink ? {stroke: ink.color} : {})}));
@@ -98,18 +98,21 @@ export class BiasPanel {
       const is_used = bias.axis[bias.index] === bias.used;
       slider.value = String(bias.index);
       slider.setAttribute('aria-valuetext', text);
-      reading.textContent = text + (is_used ? `, as in ${what}` : '');
       const shares: number[] = bias.range ? mean_shares(bias, bias.range) : bias.shares[bias.index];
       const [first, end] = bias.range ?? [0, last];
-      caption.textContent = 'Error, share of the counted pixels' + (bias.range
-        ? `; mean over ${end - first + 1} biases, ${bias_text(bias, bias.axis[first])} to ${bias_text(bias, bias.axis[end])}` : '');
-      total.textContent = percent(total_of(shares));
-      values.forEach((cell, c) => (cell.textContent = percent(shares[c])));
+      // The numbers below are of the range, and so is their heading.
+      reading.textContent = bias.range ? `${bias_text(bias, bias.axis[first])} to ${bias_text(bias, bias.axis[end])}`
+        : text + (is_used ? `, as in ${what}` : '');
+      caption.textContent = 'Error, share of the counted pixels' + (bias.range ? `; mean over ${end - first + 1} biases` : '');
+      total.textContent = percent_text(total_of(shares));
+      values.forEach((cell, c) => (cell.textContent = percent_text(shares[c])));
       bars.forEach((cell, c) => cell.replaceChildren(cause_bar(c, shares[c], Math.max(...shares))));
       clear.disabled = !bias.range;
       [from, to].forEach((slider, k) => {
         slider.value = String((bias.range ?? [0, last])[k]);
-        slider.setAttribute('aria-valuetext', bias_text(bias, bias.axis[Number(slider.value)]));
+        const end = bias_text(bias, bias.axis[Number(slider.value)]);
+        slider.setAttribute('aria-valuetext', end);
+        ends[k].textContent = end;
       });
     };
   }

@@ -41,12 +41,13 @@ export class CellPanel {
   }
 
   private bars(cells: Cells, row: number): HTMLElement[] {
-    const shares = cause_columns.map((name) => cells.column(name)).map((column) => (column < 0 ? NaN : Number(cells.rows[row][column])));
+    const columns = cause_columns.map((name) => cells.column(name));
+    const shares = columns.map((column) => (column < 0 ? NaN : Number(cells.rows[row][column])));
     if (shares.some((share) => Number.isNaN(share))) return [];
     const largest = Math.max(...shares);
     return [make('table', {class: 'causes'}, make('caption', {}, 'Error by cause'), make('tbody', {}, ...shares.map((share, c) =>
       make('tr', {}, make('th', {scope: 'row'}, cause_names[c]), make('td', {class: 'bar-cell'}, cause_bar(c, share, largest)),
-           make('td', {class: 'number'}, `${Number((100 * share).toPrecision(3))} %`)))))];
+           make('td', {class: 'number'}, `${cells.table_text(row, columns[c])} %`)))))];
   }
 
   private images(cells: Cells, row: number, images: CellImages): HTMLElement {

@@ -46,8 +46,8 @@ export class CellTable {
       this.region);
     this.region.addEventListener('scroll', () => this.draw());
     this.region.addEventListener('keydown', (event) => this.key(event));
-    this.region.addEventListener('focus', () => this.draw());
-    this.region.addEventListener('blur', () => this.draw());
+    this.region.addEventListener('focus', () => this.mark_active());
+    this.region.addEventListener('blur', () => this.mark_active());
     this.body.addEventListener('click', (event) => {
       const place = (event.target as HTMLElement).closest('tr')?.dataset.place;
       if (place !== undefined) this.choose(Number(place));
@@ -115,12 +115,10 @@ export class CellTable {
     const last = Math.min(this.order.length, first + visible + 2 * spare_rows);
     this.above.style.height = `${first * row_height}px`;
     this.below.style.height = `${(this.order.length - last) * row_height}px`;
-    const has_focus = document.activeElement === this.region;
     const rows = this.order.slice(first, last).map((row, k) => {
       const place = first + k;
-      const classes = `${row === this.selection.row ? 'selected' : ''} ${has_focus && place === this.active ? 'active' : ''}`;
       const mark = this.has_images(row) ? '● ' : '';
-      return make('tr', {role: 'row', id: `cell-row-${row}`, class: classes, 'data-place': place, 'aria-rowindex': place + 3,
+      return make('tr', {role: 'row', id: `cell-row-${row}`, class: row === this.selection.row ? 'selected' : '', 'data-place': place, 'aria-rowindex': place + 3,
                          'aria-selected': String(row === this.selection.row)},
                   make('th', {scope: 'row', role: 'rowheader'}, mark + cells.number_of(row)),
                   ...this.columns.map((c) => make('td', {role: 'gridcell',
@@ -128,12 +126,17 @@ export class CellTable {
     });
     const space = (cell: HTMLTableCellElement) => make('tr', {class: 'space', 'aria-hidden': 'true'}, cell);
     this.body.replaceChildren(space(this.above), ...rows, space(this.below));
-    const row = this.order[this.active];
-    if (has_focus && row !== undefined && document.getElementById(`cell-row-${row}`)) {
-      this.region.setAttribute('aria-activedescendant', `cell-row-${row}`);
-    } else {
-      this.region.removeAttribute('aria-activedescendant');
-    }
+    this.mark_active();
+  }
+
+  // Changes no element: a press of the mouse focuses the region, and only if its row is still there on release is it a
+  // click.
+  private mark_active(): void {
+    const has_focus = document.activeElement === this.region;
+    for (const row of this.body.rows) row.classList.toggle('active', has_focus && row.dataset.place === String(this.active));
+    const active = this.body.querySelector('tr.active');
+    if (active) this.region.setAttribute('aria-activedescendant', active.id);
+    else this.region.removeAttribute('aria-activedescendant');
   }
 
   private move_to(place: number): void {

@@ -1,4 +1,5 @@
 // The cells of a sweep: their numbers, which cell a point of a chart shows, and the command that repeats a cell.
+import {grouped, in_digits} from './digits';
 
 export type CellValue = number | string | boolean | null;
 
@@ -25,12 +26,6 @@ interface PackedCells {
 export interface ChartCells {
   columns: Record<string, string>;
   fixed: Record<string, CellValue>;
-}
-
-// As digits_text() of results/number_text.h.
-function in_digits(value: number, digits: number): string {
-  if (Math.abs(value) < 1e-4) return value.toExponential(0);
-  return value.toFixed(Math.max(0, Math.min(9, digits - 1 - Math.floor(Math.log10(Math.abs(value))))));
 }
 
 const as_number = (value: CellValue) => (value === null || value === '' || typeof value === 'boolean' ? NaN : Number(value));
@@ -83,6 +78,7 @@ export class Cells {
     const value = this.shown(row, column);
     if (value === null) return '—';
     if (typeof value !== 'number') return String(value);
+    if (this.columns[column].unit === 'px' && Number.isInteger(value)) return grouped(value).replace('-', '−');
     if (value === 0 || !this.is_real(column)) return String(value).replace('-', '−');
     const shown = Number(value.toPrecision(digits));
     return (digits < 5 ? in_digits(shown, digits) : String(shown)).replace('-', '−');

@@ -2,7 +2,7 @@
 import {bias_text, critical_text, images_of} from './bias';
 import {Bias, Layer, Parts, Run} from './data';
 import {make} from './dom';
-import {Look, number_text, scale_of, table_of, value_text} from './pixels';
+import {is_grey, layer_number, Look, number_text, scale_of, table_of, value_text} from './pixels';
 
 export function part_of(parts: Parts | null, i: number): string {
   return parts && parts.index[i] > 0 ? parts.names[parts.index[i] - 1] : '';
@@ -79,11 +79,20 @@ function swatch(color: number[]): SVGSVGElement {
 }
 
 function scale_legend(titles: string[], layer: Layer, look: Look, run: Run): HTMLElement {
-  const [first, last] = scale_of(layer, look).map(number_text);
+  const [first, last] = scale_of(layer, look).map((end) => layer_number(layer, end));
   const unit = layer.unit ? ` ${layer.unit}` : '';
   const ends = layer.kind === 'error' ? [`${first}${unit} too dark`, `+${last}${unit} too bright`] : [first, last + unit];
   return make('div', {class: 'scale'}, make('span', {class: 'name'}, titles.join(', ')),
               color_bar(table_of(layer, look, run)), make('span', {}, ends[0]), make('span', {class: 'end'}, ends[1]));
+}
+
+// Over the picture, a pixel without an error shows the picture, and no category's colour.
+function shown_categories(layer: Layer, look: Look): Layer['categories'] {
+  if (!look.base) return layer.categories;
+  const grey = layer.categories.filter(({color}) => is_grey(color));
+  const names = grey.map(({name}) => name).filter((name) => name !== 'background');
+  const picture = {name: `grey: the picture (${names.join(' or ')})`, color: grey[0].color};
+  return [...layer.categories.filter(({color}) => !is_grey(color)), picture];
 }
 
 // One scale for layers that share it, the names of categories with their share of the pixels that have a category.
@@ -99,7 +108,7 @@ export function fill_legend(element: HTMLElement, layers: Layer[], look: Look, r
     titles.delete(key_of(layer));
   }
   for (const layer of layers.filter((each, i) => each.kind === 'category' && layers.indexOf(each) === i)) {
-    parts.push(make('ul', {class: 'categories'}, ...layer.categories.map((each) =>
+    parts.push(make('ul', {class: 'categories'}, ...shown_categories(layer, look).map((each) =>
       make('li', {}, swatch(each.color), each.name))));
   }
   element.replaceChildren(...parts);

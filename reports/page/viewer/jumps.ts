@@ -1,6 +1,8 @@
 // Jumps to the largest error, through connected regions of wrong pixels and through objects.
+import {grouped, percent_text} from './digits';
 import {part_of} from './inspector';
 import {find_objects, ObjectError} from './objects';
+import {number_text, value_text} from './pixels';
 import {find_regions, largest_error, Region} from './regions';
 import type {Viewer} from './viewer';
 
@@ -25,7 +27,7 @@ export class Jumps {
       return;
     }
     this.viewer.go_to(at, Math.max(this.viewer.view().zoom, 16));
-    this.viewer.say(`Largest error: ${error.planes[0][at].toPrecision(3)} on ${part_of(this.viewer.run.objects, at) || 'background'}.`);
+    this.viewer.say(`Largest error: ${value_text(error, at)} on ${part_of(this.viewer.run.objects, at) || 'background'}.`);
   }
   go_to_region(step: number): void {
     const error = this.viewer.error_layer();
@@ -43,8 +45,8 @@ export class Jumps {
     this.region = this.region < 0 ? (step > 0 ? 0 : list.length - 1) : (this.region + step + list.length) % list.length;
     const region = list[this.region];
     this.viewer.go_to(region.worst, Math.max(4, Math.min(24, 160 / Math.sqrt(region.pixels))));
-    this.viewer.say(`Region ${this.region + 1} of ${list.length}: ${region.pixels} pixels, summed error ` +
-             `${region.sum.toPrecision(3)}, on ${part_of(this.viewer.run.objects, region.worst) || 'background'}.`);
+    this.viewer.say(`Region ${this.region + 1} of ${list.length}: ${grouped(region.pixels)} pixels, summed error ` +
+             `${number_text(Number(region.sum.toPrecision(3)))}, on ${part_of(this.viewer.run.objects, region.worst) || 'background'}.`);
   }
 
   // Again when the images change: at another bias, of another cell.
@@ -67,7 +69,7 @@ export class Jumps {
     const {name, pixels, mean, worst} = list[this.object];
     this.viewer.go_to(worst, Math.max(4, Math.min(24, 160 / Math.sqrt(pixels))));
     this.viewer.say(`Object ${this.object + 1} of ${list.length}: ${name || 'no name'}, mean error ` +
-             `${Number((100 * mean).toPrecision(3))} % of ${pixels} pixels; its largest error.`);
+             `${percent_text(mean)} of ${grouped(pixels)} pixels; its largest error.`);
   }
   next_object(step: number): void {
     this.go_to_object(this.object < 0 ? (step > 0 ? 0 : -1) : this.object + step);

@@ -1,4 +1,5 @@
 // The list of objects with their error; a click goes to the object's largest error.
+import {grouped, percent_text} from './digits';
 import {make} from './dom';
 import {ObjectError} from './objects';
 
@@ -22,7 +23,7 @@ export class ObjectList {
       this.title.textContent = `Objects by error (${objects.length})`;
       this.list.replaceChildren(...objects.slice(0, most_rows).map((object, i) =>
         make('li', {}, make('button', {type: 'button', click: () => this.choose(i)}, make('span', {class: 'name'}, object.name || 'no name'),
-          make('span', {class: 'number'}, `${Number((100 * object.mean).toPrecision(3))} % of ${object.pixels} px`)))));
+          make('span', {class: 'number'}, `${percent_text(object.mean)} of ${grouped(object.pixels)} px`)))));
     }
     [...this.list.children].forEach((item, i) => {
       const button = item.firstElementChild!;

@@ -50,7 +50,7 @@ export function dot_of(layer: Layer, look: Look): number {
   return is_single ? look.dot : 0;
 }
 
-const is_grey = ([r, g, b]: Color) => r === g && g === b;
+export const is_grey = ([r, g, b]: Color) => r === g && g === b;
 
 // 0 is right, 1 the end of the scale. Categories that are no error are grey.
 export function strength_of(layer: Layer, i: number, look: Look): number {
@@ -99,9 +99,14 @@ export function number_text(value: number): string {
   return digits.replace('-', '−');
 }
 
+// Two digits of an uncertainty.
+const is_uncertainty = (layer: Layer) => /^truth_(ao|image|visibility)_standard_error/.test(layer.name);
+export const layer_number = (layer: Layer, value: number) =>
+  number_text(is_uncertainty(layer) ? Number(value.toPrecision(2)) : value);
+
 export function value_text(layer: Layer, i: number): string {
   if (layer.kind === 'category') return layer.categories[layer.planes[0][i]]?.name ?? 'no value';
-  const text = layer.planes.map((plane) => number_text(plane[i])).join(', ');
+  const text = layer.planes.map((plane) => layer_number(layer, plane[i])).join(', ');
   return layer.unit ? `${text} ${layer.unit}` : text;
 }
 

@@ -3,7 +3,7 @@ import {download, make} from './dom';
 
 const rows_with_filter = 8;
 
-const below = (cell?: Element) => [...(cell?.querySelectorAll('.below') ?? [])].map((each) => each.textContent!.trim());
+const below = (cell?: Element) => [...(cell?.querySelectorAll('.below') ?? [])].map((each) => each.textContent!.replace(/\u00ad/g, '').trim());
 // Without the texts below it.
 function own_text(cell?: Element): string {
   const first = cell?.querySelector('button')?.firstChild ?? cell?.firstChild;
@@ -12,9 +12,11 @@ function own_text(cell?: Element): string {
 }
 const text_of = (row: HTMLTableRowElement, column: number) => own_text(row.cells[column]);
 
-// "−0.19", "2.18 ± 0.73", "(0.05 ± 0.09)", "11.2 to 11.4", "0.115 %": the number that it begins with.
+const without_groups = (text: string) => text.replace(/^\d{1,3}(,\d{3})+$/, (number) => number.replace(/,/g, ''));
+
+// "−0.19", "2.18 ± 0.73", "(0.05 ± 0.09)", "11.2 to 11.4", "0.115 %", "47,311": the number that it begins with.
 function leading_number(text: string): number {
-  const [, number, sign] = /^\(?([+−-]?[\d.]+(?:e[+-]?\d+)?)(\*|\)| [%±]| to [−\d]|$)/.exec(text) ?? [];
+  const [, number, sign] = /^\(?([+−-]?[\d.]+(?:e[+-]?\d+)?)(\*|\)| [%±]| to [−\d]|$)/.exec(without_groups(text)) ?? [];
   return number === undefined || sign === undefined ? NaN : Number(number.replace('−', '-'));
 }
 
@@ -33,7 +35,7 @@ export function compare_cells(a: string, b: string, sign: number): number {
 export const csv_cell = (text: string) => (/[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
 
 // A number as programs read it.
-const plain_number = (text: string) => (/^[+−][\d.]+(e[+-]?\d+)?$/.test(text) ? text.replace('−', '-') : text);
+const plain_number = (text: string) => (/^[+−][\d.]+(e[+-]?\d+)?$/.test(text) ? text.replace('−', '-') : without_groups(text));
 
 export function csv_of(table: HTMLTableElement): string {
   const [names, units] = table.tHead!.rows;
