@@ -122,7 +122,13 @@ void add_caveats(const TuneRun& run, const RunResults& results) {
     if (needs_biases(axes)) caveats.emplace_back(one_bias_warning);
   }
   if (first.quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance")) {
-    caveats.push_back("the reference is the same at every point: rays " + ao_limit_text(first.experiment.truth));
+    std::string limits;  // a share of a scene's size differs from scene to scene
+    for (const std::vector<TuneCase>& cases : run.by_scene) {
+      const std::string limit = ao_limit_text(cases.front().experiment.truth);
+      limits += (limits.empty() ? "" : ", ") + limit +
+                (run.by_scene.size() > 1 ? " (" + scene_title(cases.front().experiment) + ")" : "");
+    }
+    caveats.push_back("the reference is the same at every point: rays " + limits);
   }
   first.stages->add_notes(caveats);
 }

@@ -153,8 +153,11 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
 
 std::string agreement_text(const ClassAgreement& agreement) {
   std::string text =
-      fmt::format("ray tests reclassified {} of {} taps from false occlusion to acne: {} of all wrong taps.",
-                  percent(share_of_unresolved(agreement)), grouped(agreement.taps), percent(share_of_wrong(agreement)));
+      agreement.reclassified == 0
+          ? fmt::format("ray tests confirmed the cause of all {} taps of false occlusion.", grouped(agreement.taps))
+          : fmt::format("ray tests reclassified {} of {} taps from false occlusion to acne: {} of all wrong taps.",
+                        percent(share_of_unresolved(agreement)), grouped(agreement.taps),
+                        percent(share_of_wrong(agreement)));
   if (agreement.on_own_layer > 0) {
     text += fmt::format(
         " By ray tests {} of the peter-panning is light leak, because the map holds the receiver's own surface there; "

@@ -13,6 +13,15 @@
 namespace umbrameter {
 namespace {
 
+// "0.833 to 1.66 texels", and "0.833 cm to 1.66 m" where units differ.
+std::string pair_text(const TuneAxis& axis, const Value& a, const Value& b, const char* between) {
+  std::string first = value_text(axis, a);
+  const std::string second = value_text(axis, b);
+  const std::size_t unit = first.find(' ');
+  if (unit != std::string::npos && second.ends_with(first.substr(unit))) first.resize(unit);
+  return first + between + second;
+}
+
 // The measured values next to the range: it ends somewhere before them. "; 0.0841 and 0.484 texels are outside".
 std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const std::pair<Value, Value>& range) {
   const TuneAxis& axis = summary.axes[scan.axis];
@@ -25,7 +34,7 @@ std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const
     if (to_number(value) > to_number(range.second) && !above) above = value;
   }
   if (!below && !above) return {};
-  if (below && above) return fmt::format("; {} and {} are outside", value_text(axis, *below), value_text(axis, *above));
+  if (below && above) return fmt::format("; {} are outside", pair_text(axis, *below, *above, " and "));
   return fmt::format("; {} is outside", value_text(axis, below ? *below : *above));
 }
 
@@ -38,7 +47,7 @@ std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
   const std::string outside = outside_text(summary, scan, *range);
   if (range->first == range->second)
     return (outside.empty() ? "only " : "") + value_text(axis, range->first) + outside + ends;
-  return fmt::format("{} to {}{}{}", value_text(axis, range->first), value_text(axis, range->second), outside, ends);
+  return pair_text(axis, range->first, range->second, " to ") + outside + ends;
 }
 
 // The largest cost along the axis, in multiples of the least.

@@ -61,12 +61,21 @@ TEST_F(Tune, Of_the_bias_alone_is_at_least_as_good_as_a_grid_of_a_thousand) {
   EXPECT_NEAR(within[1].get<double>(), largest, 0.2 / 999);
   EXPECT_EQ(tuned["evaluations"], 1);
 
-  // The values to use, measured as a configuration like any other, have the cost that the search found.
-  const std::vector<std::string> compare = {"compare",         "-c",          folder_ / "tuned/tuned.toml", "-o",
-                                            folder_ / "again", "--no-figures"};
+  // The best point, measured as a configuration like any other, has the cost that the search found.
+  const std::vector<std::string> compare = {"compare",
+                                            "corner",
+                                            "-o",
+                                            folder_ / "again",
+                                            "--size",
+                                            "96x54",
+                                            "--light",
+                                            "sun",
+                                            "--no-figures",
+                                            "--shadow.constant-bias",
+                                            tuned["best"]["values"]["shadow.constant-bias"].dump()};
   ASSERT_EQ(run_program(compare).exit_code, 0);
   const Json again = Json::parse(text_of(folder_ / "again/summary.json"))["shadows"][0]["statistics"];
-  EXPECT_NEAR(again["mae"].get<double>(), tuned["recommended_bias"]["recommended"]["cost"].get<double>(), 1e-12);
+  EXPECT_NEAR(again["mae"].get<double>(), tuned["best"]["cost"].get<double>(), 1e-12);
 }
 
 TEST_F(Tune, Says_in_words_what_was_minimised_and_how_much_better_the_best_point_is) {
@@ -245,6 +254,12 @@ TEST_F(Tune, Names_the_bias_that_compare_recommends_where_the_best_point_is_anot
   const std::string tuned = answer({"tune", "courtyard", "--vary", "shadow.constant-bias=0texels:8texels"});
   EXPECT_EQ(tuned.find("use constant-bias 3.28 texels: the smallest bias of the range "), 0u) << tuned;
   EXPECT_NE(tuned.find("/tuned.toml with constant-bias 3.28 texels; "), std::string::npos) << tuned;
+  const Json recommended =
+      Json::parse(text_of(folder_ / "tune/summary.json"))["tuning"]["recommended_bias"]["recommended"];
+  ASSERT_EQ(
+      run_program({"compare", "-c", folder_ / "tune/tuned.toml", "-o", folder_ / "use", "--no-figures"}).exit_code, 0);
+  const Json used = Json::parse(text_of(folder_ / "use/summary.json"))["shadows"][0]["statistics"];
+  EXPECT_NEAR(used["mae"].get<double>(), recommended["cost"].get<double>(), 1e-12);
   const std::string compared = answer({"compare", "courtyard", "--measure", "shadows"});
   EXPECT_EQ(compared.find("lantern: use bias 3.28 texels"), 0u) << compared;
 }

@@ -101,7 +101,7 @@ TEST(StatisticsTables, Have_words_per_cent_and_the_interval_in_the_cell) {
   const Table shown = in_percent(rows, 1, "ao");
   std::vector<std::string> heads;
   for (const Column& column : shown.columns) heads.push_back(column.name + " " + column.unit);
-  EXPECT_EQ(heads, (std::vector<std::string>{"ao.radius m", "mean absolute error %", "mean error %",
+  EXPECT_EQ(heads, (std::vector<std::string>{"ao.radius m", "mean absolute error %", "mean signed error %",
                                              "pixels that see a surface px"}));
   EXPECT_EQ(shown.rows[0],
             (std::vector<Value>{1.25, std::string("11.54 ± 0.20"), std::string("−1.23"), std::int64_t{49785}}));
