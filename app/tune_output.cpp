@@ -184,7 +184,7 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   output.texts = {{tuned_file, tuned_text(job, summary)}, {"evaluations.csv", to_csv(evaluation_table(summary))}};
   output.closing = {fmt::format("tuned: {0}{1}; run it with 'umbrameter compare -c {0} -o DIR'",
                                 (folder.path() / tuned_file).string(),
-                                summary.result.withheld   ? " with the given constant-bias"
+                                summary.result.withheld   ? " with constant-bias unchanged"
                                 : has_other_bias(summary) ? " with " + point_text(summary.axes, values_to_use(summary))
                                                           : "")};
   output.journal = journal_path;

@@ -61,6 +61,12 @@ std::vector<std::string> notes_with_offset(const EngineAdvice& advice) {
     notes.push_back(
         fmt::format("{}: its errors, and the bias that is converted, are those with that polygon offset", engine.name));
   }
+  if (engine.faces != CasterFaces::all) {
+    notes.push_back(
+        fmt::format("{}: its errors, and the bias that is converted, are those with {} faces as casters, unless "
+                    "shadow.faces is set",
+                    engine.name, engine.faces == CasterFaces::back ? "back" : "front"));
+  }
   return notes;
 }
 

@@ -31,13 +31,15 @@ std::string statistic_text(const GateCheck& check) {
   return check.budget.is_magnitude ? fmt::format("|{}|", check.budget.statistic) : check.budget.statistic;
 }
 
-bool has_several_runs(const std::vector<GateCheck>& checks) {
+std::size_t count_runs(const std::vector<GateCheck>& checks) {
   std::set<std::string> runs;
   for (const GateCheck& check : checks) {
     if (check.measured) runs.insert(check.measured->run);
   }
-  return runs.size() > 1;
+  return runs.size();
 }
+
+bool has_several_runs(const std::vector<GateCheck>& checks) { return count_runs(checks) > 1; }
 
 // "courtyard, sun"; "courtyard, ao"; of several runs "out: courtyard, sun".
 std::string where_text(const GateCheck& check, bool names_run) {
@@ -123,8 +125,11 @@ std::size_t count_failed(const std::vector<GateCheck>& checks) {
 
 std::string gate_answer(const std::vector<GateCheck>& checks) {
   const std::size_t failed = count_failed(checks);
+  // Of several runs a bound is checked more than once.
+  const std::string checked =
+      has_several_runs(checks) ? fmt::format("checks in {} runs", count_runs(checks)) : "bounds";
   if (failed == 0) {
-    if (checks.size() > 1) return fmt::format("all {} bounds are kept", checks.size());
+    if (checks.size() > 1) return fmt::format("all {} {} are kept", checks.size(), checked);
     const GateCheck& check = checks.front();
     return fmt::format("the bound is kept: {} {}, {}", statistic_text(check), measured_text(check), bound_text(check));
   }
@@ -132,7 +137,7 @@ std::string gate_answer(const std::vector<GateCheck>& checks) {
       static_cast<std::size_t>(std::ranges::count_if(checks, [](const GateCheck& check) { return !check.measured; }));
   const std::size_t broken = failed - unmeasured;
   const auto count = [&](std::size_t number) {
-    return fmt::format("{} of {} bounds {}", number, checks.size(), number == 1 ? "is" : "are");
+    return fmt::format("{} of {} {} {}", number, checks.size(), checked, number == 1 ? "is" : "are");
   };
   if (checks.size() == 1) return broken == 1 ? "the bound is broken" : "no run measured what is bounded";
   if (unmeasured == 0) return count(broken) + " broken";

@@ -19,7 +19,8 @@ bool is_the_cost(const TuneGoal& goal, std::size_t column) {
 
 std::string difference_text(const TuneGoal& goal, const ComparedPoint& compared, double best) {
   if (compared.is_best) return "best";
-  const std::string text = cost_text(goal, compared.point.score.cost - best, compared.difference);
+  std::string text = cost_text(goal, compared.point.score.cost - best, compared.difference);
+  if (text.ends_with('%')) text.replace(text.size() - 1, 1, "points");
   if (!compared.difference) return text + ", not tested";
   if (compared.difference->lower > 0.0) return text + ", worse";
   return text + (compared.difference->upper < 0.0 ? ", better" : ", not significant");
@@ -45,7 +46,8 @@ Table comparison_table(const TuneSummary& summary) {
   const TuneGoal& goal = summary.goal;
   Table table{{{"point", "", "the default, or the best point with this value"},
                {cost_words(goal), "", "cost"},
-               {"more than the best", "", "difference of the costs, paired over blocks of pixels"}},
+               {"more than the best", "",
+                "difference of the costs, paired over blocks of pixels; of shares in percentage points"}},
               {}};
   if (!goal.constraints.empty()) table.columns.push_back({"constraints", "", "whether all are kept in every case"});
   std::vector<std::size_t> shown;

@@ -212,10 +212,14 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
         "shadows that these views may not show");
     best = "best point, of least cost";
   }
+  // With the digits of the other points, so that it reads as the smallest.
+  const std::string plain = cost_text(goal, result.best.score.cost);
+  std::string cost = cost_text(goal, result.best.score.cost, summary.judgement.best);
+  const std::size_t half_width = cost.find(" ± ");
+  if (half_width != std::string::npos) cost = plain.substr(0, plain.find(' ')) + cost.substr(half_width);
   answers.push_back(fmt::format(
-      "{}: {}: {} {}{}{}", best, point_text(summary.axes, result.best.values), cost_words(goal),
-      cost_text(goal, result.best.score.cost, summary.judgement.best),
-      summary.judgement.best ? " (95 % interval, over pixels and rays)" : "",
+      "{}: {}: {} {}{}{}", best, point_text(summary.axes, result.best.values), cost_words(goal), cost,
+      cost == plain ? "" : " (95 % interval, over pixels and rays)",
       summary.cases.size() == 1
           ? ""
           : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));

@@ -44,6 +44,9 @@ std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
   if (!range) return "—";
   std::string ends = ends_text(axis, *range);
   if (!ends.empty()) ends = " (" + ends + ")";
+  const std::optional<BiasPlateau>& plateau = summary.result.plateau;
+  if (plateau && plateau->is_by_pixels && axis.key() == constant_bias_key)
+    ends = fmt::format("; within {} wrong pixels", chance_pixels) + ends;
   const std::string outside = outside_text(summary, scan, *range);
   if (range->first == range->second)
     return (outside.empty() ? "only " : "") + value_text(axis, range->first) + outside + ends;

@@ -90,7 +90,7 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
-    reason = "its bias grows with the depth as no unit of shadow.constant-bias does";
+    reason = "its bias in metres grows with the depth in a way that no unit of shadow.constant-bias has";
     return {};
   }
   const AtPlaces normal(places, terms, &BiasTerms::normal);

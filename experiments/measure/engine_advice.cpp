@@ -36,19 +36,22 @@ class EnginesOfLight {
   }
 
  private:
-  static void add_polygon_offset(MapDepthParams& depth, const BiasEngine& engine) {
+  // What the engine does besides its numbers.
+  static void draw_as(MapDepthParams& depth, const BiasEngine& engine) {
     depth.polygon_offset_factor = std::max(depth.polygon_offset_factor, engine.polygon_factor);
     depth.polygon_offset_units = std::max(depth.polygon_offset_units, engine.polygon_units);
+    if (depth.faces == CasterFaces::all) depth.faces = engine.faces;
   }
 
-  // With the polygon offset that the engine always has, and the constant bias that is best with it.
+  // With the polygon offset and the casting faces that the engine always has, and the constant bias that is best with
+  // them.
   Experiment drawn_by(const BiasSpec& target) {
     Experiment drawn = experiment_;
     MapDepthParams& depth = drawn.shadow.map_depth;
     const MapDepthParams& own = experiment_.shadow.map_depth;
-    add_polygon_offset(depth, *target.engine);
+    draw_as(depth, *target.engine);
     if (depth.polygon_offset_factor == own.polygon_offset_factor &&
-        depth.polygon_offset_units == own.polygon_offset_units) {
+        depth.polygon_offset_units == own.polygon_offset_units && depth.faces == own.faces) {
       return drawn;
     }
     drawn.run.for_engines.clear();
@@ -79,7 +82,7 @@ class EnginesOfLight {
     }
     std::optional<Experiment> experiment = with_terms(experiment_, layout_, places_, terms, reason);
     if (!experiment) return {};
-    add_polygon_offset(experiment->shadow.map_depth, *spec.engine);
+    draw_as(experiment->shadow.map_depth, *spec.engine);
     const VisibilityStatistics s =
         measure_biases(stages_, *experiment, light_, {experiment->shadow.bias.constant.number},
                        {experiment->shadow.bias.slope})

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/normal_offset.h"
 
 namespace umbrameter {
@@ -101,8 +102,9 @@ struct BiasEngine {
   bool sets_each_cascade = false;
   double polygon_factor = 0.0;  ///< polygon offset with which every caster is drawn besides the numbers
   double polygon_units = 0.0;
-  std::string_view comment = "//";  ///< begins a comment in its code
-  std::string_view adapter{};       ///< another name of the engine: that of its adapter and presets
+  CasterFaces faces = CasterFaces::all;  ///< that cast by default
+  std::string_view comment = "//";       ///< begins a comment in its code
+  std::string_view adapter{};            ///< another name of the engine: that of its adapter and presets
 };
 
 /// All of them, neutral units first.

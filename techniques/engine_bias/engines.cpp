@@ -148,6 +148,7 @@ BiasEngine three() {
                    {"far", 500.0, "m", "shadow.camera.far; of a spot light its distance, if that is set"}},
       .note = "front-sided meshes cast their back faces, unless shadowSide is set",
       .sets_each_cascade = true,
+      .faces = CasterFaces::back,
       .adapter = "threejs"};
 }
 
@@ -180,7 +181,8 @@ BiasEngine babylon() {
                    {OffsetProfile::sine, OffsetSide::caster}}},
       .settings = {{"filter", 0.0, "1", "none for all but pcf and contact hardening", {{"none", 0.0}, {"pcf", 1.0}}},
                    {"minZ", 1.0, "m", "the light's shadowMinZ, else the camera's minZ"},
-                   {"maxZ", 10000.0, "m", "the light's shadowMaxZ, else the camera's maxZ"}}};
+                   {"maxZ", 10000.0, "m", "the light's shadowMaxZ, else the camera's maxZ"}},
+      .faces = CasterFaces::front};
 }
 
 BiasEngine playcanvas() {
@@ -213,7 +215,8 @@ BiasEngine playcanvas() {
       .note =
           "in addition the receiver always moves by 0.0001 R, and shadowBias v also adds 10 v of the smallest "
           "depth steps; not with a PCSS map. With a VSM map normalOffsetBias is multiplied by (1 − cos θ), and by the "
-          "distance of a spot light"};
+          "distance of a spot light",
+      .faces = CasterFaces::front};
 }
 
 // A texel of half a spot light's map at its range, at every depth. Cube faces are widened by a table of resolutions.
@@ -332,7 +335,8 @@ std::vector<BiasEngine> other_engines() {
            "whatever is set",
        .unverified = "the newest sources scale normalBias differently along the two axes of the map",
        .note_of_lamps = "a spot light's normalBias has no formula here: 1 acts as 1.2 to 1.3 texels in 1.53.4",
-       .polygon_units = 0.5},
+       .polygon_units = 0.5,
+       .faces = CasterFaces::front},
       {.name = "stride",
        .title = "Stride",
        .source = "ShadowMapReceiverBase.sdsl @3e83da5, LightShadowMap.cs (defaults)",

@@ -54,6 +54,7 @@ TEST_F(Check, Of_several_runs_each_bound_names_the_folder) {
       run_program({"check", run("good", summary(0.01)), run("bad", summary(0.02)), "--budget", budget(acne_budget)});
   EXPECT_EQ(result.exit_code, 1) << result.err;
   EXPECT_NE(result.out.find("bad: court, sun"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("1 of 2 checks in 2 runs is broken"), std::string::npos) << result.out;
   EXPECT_EQ(result.out.find("good: court, sun"), std::string::npos) << "it keeps its bound";
 }
 
