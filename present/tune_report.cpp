@@ -206,10 +206,11 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     answers.push_back("no bias recommended: " + withheld_text(*result.withheld, result.evidence));
     best = "best point, whose bias is not recommended";
   } else if (const std::vector<Value> values = values_to_use(summary); values != result.best.values) {
-    answers.push_back(
-        "use " + point_text(summary.axes, values) +
-        ": the smallest bias of the range with acne of at most 0.1 % in every case; a larger one detaches "
-        "shadows that these views may not show");
+    const BiasCell& used = result.plateau->recommended;
+    answers.push_back(fmt::format(
+        "use {}: {} {}, acne {}; the smallest bias of the range with acne of at most 0.1 % in every case: a larger one "
+        "detaches shadows that these views may not show",
+        point_text(summary.axes, values), cost_words(goal), cost_text(goal, used.mae), percent(used.acne)));
     best = "best point, of least cost";
   }
   // With the digits of the other points, so that it reads as the smallest.
@@ -332,7 +333,8 @@ Presentation present_tuning(const TuneSummary& summary) {
   section.tables_first = true;
   section.text =
       method_text(summary) +
-      "\n\n95 % intervals (± or a range) cover the choice of pixels: each of up to 64 blocks of the image is left "
+      "\n\n95 % intervals (± or a range) cover the choice of pixels and the noise of the reference: each of up to 64 "
+      "blocks of the image is left "
       "out in turn (jackknife). Differences are paired: both points lose the same block. Cases held out of the "
       "search check the best point.";
   if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
@@ -340,7 +342,7 @@ Presentation present_tuning(const TuneSummary& summary) {
     shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());
     section.tables.push_back({"The best point with each value", compared});
   }
-  section.tables.push_back({"Sensitivity to each parameter", sensitivity});
+  section.tables.push_back({"Sensitivity to each parameter, the others at their best values", sensitivity});
   section.tables.push_back({"Each case", case_table(summary)});
   if (objectives_of(goal).size() > 1) {
     section.tables.push_back({"Pareto front", front_table(summary, front)});

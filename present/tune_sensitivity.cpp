@@ -100,7 +100,7 @@ Table sensitivity_table(const TuneSummary& summary) {
                {"within 5 %", "",
                 "range around it in which the cost is at most 5 % higher: of a constant bias from its whole "
                 "curve, else of the measured values"},
-               {"highest cost", "", "on the measured values of the axis"}},
+               {"highest measured", "", "cost on the measured values of the axis"}},
               {}};
   for (const AxisScan& scan : summary.result.scans) {
     const TuneAxis& axis = summary.axes[scan.axis];

@@ -145,6 +145,18 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
       limits.push_back(fmt::format("{}: {} of {}, {} of {}", what, value.empty() ? "none" : value, run.name,
                                    value_of(base.environment, what), base.name));
     }
+    std::string other_reference;
+    for (const auto& [key, value] : run.parameters) {
+      const bool is_of_reference = key.starts_with("light.") || key == "truth.shadow" ||
+                                   (key.starts_with("truth.ao-") && key != "truth.ao-layers");
+      if (is_of_reference && value != value_of(base.parameters, key)) {
+        other_reference += (other_reference.empty() ? "" : ", ") + key;
+      }
+    }
+    if (!other_reference.empty()) {
+      limits.push_back(fmt::format("{} has another reference than {} ({}): differences include that of the references",
+                                   run.name, base.name, other_reference));
+    }
     for (const MeasuredStatistic& measured : base.statistics) {
       if (measured.name != pixels_statistic || find_same(run, measured) != nullptr) continue;
       limits.push_back(fmt::format(

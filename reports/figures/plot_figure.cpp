@@ -155,6 +155,7 @@ void set_log_scale(Json& axis, bool is_x, bool has_given_values, const Json& row
 
 void set_square_root_scale(Json& axis, bool is_x, const Json& rows, double length) {
   axis["scale"]["type"] = "sqrt";
+  axis["axis"]["labelOverlap"] = "greedy";  // not every second one: small numbers stand closely, large ones do not
   axis["scale"]["zero"] = true;
   double highest = 0.0;
   for (const Json& row : rows) highest = std::max(highest, row.at(is_x ? "x" : "y").get<double>());

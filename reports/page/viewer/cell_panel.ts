@@ -33,7 +33,7 @@ export class CellPanel {
   }
 
   show_cell(cells: Cells, row: number, images: CellImages): void {
-    const table = make('table', {}, make('caption', {}, `Cell ${cells.number_of(row)} of ${cells.packed.count}`),
+    const table = make('table', {}, make('caption', {}, `Cell ${cells.number_of(row)}`),
                        make('tbody', {}, ...cells.columns.map(({head, meaning}, c) =>
       make('tr', c < cells.packed.axes ? {class: 'axis'} : {}, make('th', {scope: 'row', title: meaning}, head),
            make('td', {class: 'number'}, `${cells.table_text(row, c)} ${cells.unit(c)}`.trim())))));
