@@ -16,7 +16,7 @@ async function choose(page, number) {
   await page.keyboard.press('Home');
   for (let i = 0; i < number; ++i) await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
-  await page.locator('aside.cell caption', {hasText: `Cell ${number} of`}).waitFor();
+  await page.locator('aside.cell caption', {hasText: new RegExp(`^Cell ${number}$`)}).waitFor();
 }
 
 // The command that the panel gives, run as it says: in the folder of the page. The words have no quotes here.
@@ -83,7 +83,7 @@ test('the first click on a row of a fresh page selects its cell', async () => {
   await page.mouse.move(x + width / 2, y + height / 2);
   await page.mouse.down();
   await page.mouse.up();
-  await page.locator('aside.cell caption', {hasText: 'Cell 3'}).waitFor();
+  await page.locator('aside.cell caption', {hasText: /^Cell 3$/}).waitFor();
   assert.equal(await page.locator('.cells tr.active').getAttribute('data-place'), '3');
   const texts = await page.locator('aside.cell table.causes td.number').allInnerTexts();
   for (const [i, name] of ['acne', 'false occlusion', 'peter-panning', 'light leak'].entries()) {
