@@ -111,7 +111,7 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
 }
 
 // What the cost does not show.
-void add_caveats(const TuneRun& run, const RunResults& results) {
+void add_caveats(const TuneRun& run) {
   const TuneCase& first = run.cases.front();
   const std::vector<SweepAxis> axes = mapped(run.job.axes, [](const TuneAxis& each) { return each.axis; });
   std::vector<std::string> caveats;
@@ -172,7 +172,7 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   const TuneSummary& summary = results.tune->summary;
   results.tune->engines = engines_of(job, run.cases, summary);
   if (!line.no_figures) results.tune->points = measure_points(run.cases.front(), summary);
-  add_caveats(run, results);
+  add_caveats(run);
   results.notes = run.notes();
   for (const std::string& text : measured.notes) {
     if (std::ranges::find(results.notes, text) == results.notes.end()) {

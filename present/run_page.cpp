@@ -76,7 +76,7 @@ std::string scenes_of(const TuneFindings& tune, const std::string& first) {
     const std::string name = title.substr(0, title.find(", camera "));
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
-  // Scenes of one name, in files of different folders, cannot be told apart.
+  // Files of one name in different folders have one entry.
   names.resize(std::min({most, names.size(), tune.scenes}));
   const std::size_t more = tune.scenes - names.size();
   if (more > 0) return joined(names, ", ") + fmt::format(" and {} more", more);

@@ -104,7 +104,7 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
   section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(fmt::format(
       "{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}; no bias "
-      "recommended: acne is only told apart in sums of depth comparisons, such as PCF; umbrameter tune finds the bias "
+      "recommended: only the acne of PCF, which sums depth comparisons, can be counted; umbrameter tune finds the bias "
       "of "
       "least error",
       title, percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away), percent(s.too_bright_away),
@@ -143,7 +143,7 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   presentation.answers.push_back(fmt::format(
       "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the lit share of the "
       "{}); "
-      "no bias recommended: acne is only told apart in a hard shadow ({}); umbrameter tune finds the bias of least "
+      "no bias recommended: acne can be counted only in a hard shadow ({}); umbrameter tune finds the bias of least "
       "error",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),

@@ -39,7 +39,7 @@ std::string cell_text(const Value& value) {
   return text;
 }
 
-// Counts of pixels are grouped, as in the page's text. Their unit is the column's, or stands in the row.
+// Counts of pixels have thousands separators, as in the page's text.
 std::string cell_text(const Table& table, std::size_t row, std::size_t column) {
   const Value& value = table.rows[row][column];
   const auto* count = std::get_if<std::int64_t>(&value);
