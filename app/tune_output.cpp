@@ -20,8 +20,6 @@
 namespace umbrameter {
 namespace {
 
-bool has_other_bias(const TuneSummary& summary) { return values_to_use(summary) != summary.result.best.values; }
-
 // Which bias the file has, where it is not that of the best point.
 std::string bias_comment(const TuneSummary& summary) {
   const TuneResult& result = summary.result;
@@ -29,7 +27,7 @@ std::string bias_comment(const TuneSummary& summary) {
     return "# shadow.constant-bias is the given one; no bias recommended: " +
            withheld_text(*result.withheld, result.evidence) + ".\n";
   }
-  if (!has_other_bias(summary)) return {};
+  if (!result.recommended) return {};
   return "# shadow.constant-bias is the recommended one, with a cost within the range of the least and acne of at most "
          "0.1 %;\n# the best point: " +
          point_text(summary.axes, result.best.values) + ".\n";
@@ -42,7 +40,7 @@ std::string tuned_text(const TuneJob& job, const TuneSummary& summary) {
     return "# `umbrameter tune` found no difference between the points: these are the given values.\n" +
            experiment_text(tuned);
   }
-  const std::vector<Value> values = values_to_use(summary);
+  const std::vector<Value>& values = point_to_use(summary.result).values;
   for (std::size_t a = 0; a < job.axes.size(); ++a) {
     if (summary.result.withheld && job.axes[a].key() == constant_bias_key) continue;
     set_value(describe(tuned), job.axes[a].axis, values[a]);
@@ -84,8 +82,12 @@ std::vector<TunePointImages> measure_points(const TuneCase& first, const TuneSum
     return measured;
   };
   const TuneResult& result = summary.result;
-  return {images("best", at_point(first, summary.axes, result.best.values), result.best),
-          images("default", first.experiment, result.before)};
+  const auto at = [&](const TunePoint& point) { return at_point(first, summary.axes, point.values); };
+  std::vector<TunePointImages> all;
+  if (result.recommended) all.push_back(images("recommended", at(*result.recommended), *result.recommended));
+  all.push_back(images("best", at(result.best), result.best));
+  all.push_back(images("default", first.experiment, result.before));
+  return all;
 }
 
 // Texels and depth ranges differ from case to case, and with them an engine's numbers.
@@ -98,7 +100,7 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
     return all;
   }
   for (const TuneCase& each : cases) {
-    Experiment tuned = at_point(each, summary.axes, values_to_use(summary));
+    Experiment tuned = at_point(each, summary.axes, point_to_use(summary.result).values);
     tuned.run.for_engines = job.for_engines;
     Stages& stages = *each.stages;
     if (stages.is_sampled(tuned, each.light) || !stages.capabilities(tuned).taps_independent_of_bias) {
@@ -182,11 +184,11 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   RunOutput output;
   output.experiment_toml = experiment_of(job, line.tune);
   output.texts = {{tuned_file, tuned_text(job, summary)}, {"evaluations.csv", to_csv(evaluation_table(summary))}};
-  output.closing = {fmt::format("tuned: {0}{1}; run it with 'umbrameter compare -c {0} -o DIR'",
-                                (folder.path() / tuned_file).string(),
-                                summary.result.withheld   ? " with constant-bias unchanged"
-                                : has_other_bias(summary) ? " with " + point_text(summary.axes, values_to_use(summary))
-                                                          : "")};
+  output.closing = {fmt::format(
+      "tuned: {0}{1}; run it with 'umbrameter compare -c {0} -o DIR'", (folder.path() / tuned_file).string(),
+      summary.result.withheld      ? " with constant-bias unchanged"
+      : summary.result.recommended ? " with " + point_text(summary.axes, summary.result.recommended->values)
+                                   : "")};
   output.journal = journal_path;
   output.page = {make_figure_style(line.figures), !line.no_figures};
   return write_run(folder, console, std::move(results), std::move(output));

@@ -17,10 +17,9 @@ bool is_the_cost(const TuneGoal& goal, std::size_t column) {
          goal.terms.front().weight == 1.0;
 }
 
-std::string difference_text(const TuneGoal& goal, const ComparedPoint& compared, double best) {
+std::string distance_text(const TuneGoal& goal, const ComparedPoint& compared, double best) {
   if (compared.is_best) return "best";
-  std::string text = cost_text(goal, compared.point.score.cost - best, compared.difference);
-  if (text.ends_with('%')) text.replace(text.size() - 1, 1, "points");
+  const std::string text = difference_text(goal, compared.point.score.cost - best, compared.difference, "points");
   if (!compared.difference) return text + ", not tested";
   if (compared.difference->lower > 0.0) return text + ", worse";
   return text + (compared.difference->upper < 0.0 ? ", better" : ", not significant");
@@ -60,7 +59,7 @@ Table comparison_table(const TuneSummary& summary) {
   for (const TuneAxis& axis : summary.axes) table.columns.push_back({name_of(axis), "", "value"});
   for (const ComparedPoint& compared : summary.judgement.compared) {
     std::vector<Value> row = {title_of(summary, compared), cost_text(goal, compared.point.score.cost),
-                              difference_text(goal, compared, summary.result.best.score.cost)};
+                              distance_text(goal, compared, summary.result.best.score.cost)};
     if (!goal.constraints.empty()) row.emplace_back(compared.point.score.is_kept() ? "kept" : "broken");
     const std::vector<double> values = shown_values(summary, compared);
     for (const std::size_t c : shown) row.emplace_back(statistic_text(values[c], summary.shown.columns[c].unit));

@@ -124,7 +124,7 @@ std::string stem_prefix(const TunePointImages& point) { return point.name + "_";
 
 ViewerPack add_tune_images(Presentation& part, const SceneFacts& scene, const TuneFindings& tune) {
   ViewerPack pack;
-  pack.title = "Best and default point";
+  pack.title = tune.summary.result.recommended ? "Recommended, best and default point" : "Best and default point";
   const std::string& title = tune.summary.cases.front();
   for (const TunePointImages& point : tune.points) {
     ViewerData data = viewer_data(scene, point.measurement, false);

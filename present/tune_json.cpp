@@ -111,15 +111,19 @@ Json to_json(const TuneSummary& summary) {
       return Json{{"constant_bias", cell.constant}, {"cost", cell.mae}, {"acne", cell.acne}};
     });
   }
+  if (result.recommended) json["recommended"] = point_json(summary, summary.cases, *result.recommended);
   if (result.runner_up) {
     json["runner_up"] = point_json(summary, summary.cases, *result.runner_up);
     json["best_minus_runner_up"] = estimate_json(summary.judgement.against_runner_up);
   }
-  if (summary.judgement.held_out) {
-    json["held_out"] = {
-        {"default", point_json(summary, summary.judgement.held_out->cases, summary.judgement.held_out->before)},
-        {"best", point_json(summary, summary.judgement.held_out->cases, summary.judgement.held_out->best)},
-        {"best_minus_default", estimate_json(summary.judgement.held_out->difference)}};
+  if (const std::optional<HeldOut>& held = summary.judgement.held_out) {
+    json["held_out"] = {{"default", point_json(summary, held->cases, held->before)},
+                        {"best", point_json(summary, held->cases, held->best)},
+                        {"best_minus_default", estimate_json(held->difference)}};
+    if (held->recommended) {
+      json["held_out"]["recommended"] = point_json(summary, held->cases, *held->recommended);
+      json["held_out"]["recommended_minus_default"] = estimate_json(held->recommended_difference);
+    }
   }
   json["compared"] = compared_json(summary);
   json["sensitivity"] = Json::array();

@@ -34,32 +34,25 @@ double objective(const TuneGoal& goal, std::size_t column, const std::vector<Cas
   return value;
 }
 
-// Of two shares in percentage points.
-std::string difference_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval = {}) {
-  std::string text = cost_text(goal, value, interval);
-  if (text.ends_with('%')) text.replace(text.size() - 1, 1, "percentage points");
-  return text;
-}
-
-// How the best point compares; `difference` and `plain` are its cost less the other's.
-std::string judged(const TuneGoal& goal, std::optional<Estimate> difference, double plain) {
-  if (plain == 0.0) return "the best point has the same cost";
+// How a point ("the best point") compares; `difference` and `plain` are its cost less the other's.
+std::string judged(const TuneGoal& goal, const std::string& point, std::optional<Estimate> difference, double plain) {
+  if (plain == 0.0) return point + " has the same cost";
   const double value = difference ? difference->value : plain;
-  if (!std::isfinite(value)) return "the best point cannot be compared";
+  if (!std::isfinite(value)) return point + " cannot be compared";
   if (difference && value < 0.0) difference = {-value, -difference->upper, -difference->lower};
   const char* is_significant = !difference               ? ", without a test of significance"
                                : difference->lower > 0.0 ? ""
                                                          : ", not significantly";
-  return fmt::format("the best point is {}{}, by {}{}", difference && difference->lower > 0.0 ? "significantly " : "",
-                     value < 0.0 ? "better" : "worse", difference_text(goal, std::abs(value), difference),
-                     is_significant);
+  return fmt::format("{} is {}{}, by {}{}", point, difference && difference->lower > 0.0 ? "significantly " : "",
+                     value < 0.0 ? "better" : "worse",
+                     difference_text(goal, std::abs(value), difference, "percentage points"), is_significant);
 }
 
 std::string comparison(const TuneSummary& summary, const char* what, const TunePoint& other,
                        const std::optional<Estimate>& difference) {
   const TuneGoal& goal = summary.goal;
   const TunePoint& best = summary.result.best;
-  std::string verdict = judged(goal, difference, best.score.cost - other.score.cost);
+  std::string verdict = judged(goal, "the best point", difference, best.score.cost - other.score.cost);
   if (best.score.is_kept() && !other.score.is_kept()) {
     verdict += fmt::format("; the {} breaks a constraint that the best point keeps", what);
   }
@@ -73,26 +66,30 @@ std::string comparison(const TuneSummary& summary, const char* what, const TuneP
 }
 
 Table case_table(const TuneSummary& summary) {
+  const TuneResult& result = summary.result;
   Table table{{{"case", "", "scene, camera and light"}}, {}};
-  for (const char* when : {"default", "best"}) {
+  for (const char* when : {"default", "recommended", "best"}) {
+    if (when == std::string_view("recommended") && !result.recommended) continue;
     for (const Column& column : summary.goal.columns) {
       table.columns.push_back({fmt::format("{}: {}", when, statistic_words(column.name)), "", column.meaning});
     }
   }
-  const auto add = [&](const std::vector<std::string>& cases, const TunePoint& before, const TunePoint& best,
-                       const char* prefix) {
+  const auto add = [&](const std::vector<std::string>& cases, const TunePoint& before,
+                       const std::optional<TunePoint>& recommended, const TunePoint& best, const char* prefix) {
     for (std::size_t c = 0; c < cases.size(); ++c) {
       std::vector<Value> row = {prefix + cases[c]};
-      for (const TunePoint* point : {&before, &best}) {
-        for (std::size_t k = 0; k < summary.goal.columns.size(); ++k) {
+      for (const TunePoint* point : {&before, recommended ? &*recommended : nullptr, &best}) {
+        for (std::size_t k = 0; point != nullptr && k < summary.goal.columns.size(); ++k) {
           row.emplace_back(statistic_text(point->cases[c][k], summary.goal.columns[k].unit));
         }
       }
       table.rows.push_back(std::move(row));
     }
   };
-  add(summary.cases, summary.result.before, summary.result.best, "");
-  if (const auto& held = summary.judgement.held_out) add(held->cases, held->before, held->best, "held out: ");
+  add(summary.cases, result.before, result.recommended, result.best, "");
+  if (const auto& held = summary.judgement.held_out) {
+    add(held->cases, held->before, held->recommended, held->best, "held out: ");
+  }
   return table;
 }
 
@@ -205,12 +202,13 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   if (result.withheld) {
     answers.push_back("no bias recommended: " + withheld_text(*result.withheld, result.evidence));
     best = "best point, whose bias is not recommended";
-  } else if (const std::vector<Value> values = values_to_use(summary); values != result.best.values) {
+  } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
     answers.push_back(fmt::format(
         "use {}: {} {}, acne {}; the smallest bias of the range with acne of at most 0.1 % in every case: a larger one "
         "detaches shadows that these views may not show",
-        point_text(summary.axes, values), cost_words(goal), cost_text(goal, used.mae), percent(used.acne)));
+        point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae),
+        percent(used.acne)));
     best = "best point, of least cost";
   }
   // With the digits of the other points, so that it reads as the smallest.
@@ -232,13 +230,15 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   if (summary.judgement.held_out) {
     const HeldOut& held = *summary.judgement.held_out;
     const TuneGoal absolute = not_relative(goal);
-    answers.push_back(fmt::format(
-        "held out ({}): {} → {}; {}",
-        held.cases.size() == 1
-            ? held.cases.front()
-            : fmt::format("{} cases, from {} to {}", held.cases.size(), held.cases.front(), held.cases.back()),
-        cost_text(absolute, held.before.score.cost), cost_text(absolute, held.best.score.cost),
-        judged(absolute, held.difference, held.best.score.cost - held.before.score.cost)));
+    const TunePoint& checked = held.recommended ? *held.recommended : held.best;
+    answers.push_back(fmt::format("held out ({}): {} → {}; {}",
+                                  held.cases.size() == 1 ? held.cases.front()
+                                                         : fmt::format("{} cases, from {} to {}", held.cases.size(),
+                                                                       held.cases.front(), held.cases.back()),
+                                  cost_text(absolute, held.before.score.cost), cost_text(absolute, checked.score.cost),
+                                  judged(absolute, held.recommended ? "the recommended point" : "the best point",
+                                         held.recommended ? held.recommended_difference : held.difference,
+                                         checked.score.cost - held.before.score.cost)));
   } else {
     answers.emplace_back("held out: nothing; the scenes have no other camera; name a scene with --held-out");
   }
@@ -336,7 +336,7 @@ Presentation present_tuning(const TuneSummary& summary) {
       "\n\n95 % intervals (± or a range) cover the choice of pixels and the noise of the reference: each of up to 64 "
       "blocks of the image is left "
       "out in turn (jackknife). Differences are paired: both points lose the same block. Cases held out of the "
-      "search check the best point.";
+      "search check the point to use.";
   if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
     const std::vector<std::string> lines = lines_of(compared);
     shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());

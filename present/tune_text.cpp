@@ -44,6 +44,13 @@ std::string cost_text(const TuneGoal& goal, double value, const std::optional<Es
   return unit == "1" ? percent(*interval) : estimate_text(*interval, unit);
 }
 
+std::string difference_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval,
+                            const char* points) {
+  std::string text = cost_text(goal, value, interval);
+  if (text.ends_with('%')) text.replace(text.size() - 1, 1, points);
+  return text;
+}
+
 std::string value_text(const TuneAxis& axis, const Value& value) {
   const auto* number = std::get_if<double>(&value);
   // The tuned file has all digits; values that differ in the fourth cost the same.

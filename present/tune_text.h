@@ -19,8 +19,12 @@ std::string cost_words(const TuneGoal& goal);
 /// A statistic of the goal in words; |…| where its magnitude counts.
 std::string column_words(const TuneGoal& goal, std::size_t column);
 
-/// The cost, or a difference of costs, with its interval.
+/// The cost with its interval.
 std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval = {});
+
+/// A difference of costs with its interval; of shares with `points` ("percentage points") as the unit.
+std::string difference_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval,
+                            const char* points);
 
 /// "constant-bias 2.4 texels, slope-bias 0.8".
 std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values);

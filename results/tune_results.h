@@ -43,6 +43,9 @@ struct TuneResult {
   std::optional<BiasPlateau> plateau{};
   BiasEvidence evidence{};           ///< with a plateau: what all cases show about the bias
   std::optional<NoBias> withheld{};  ///< why plateau->recommended is not recommended
+  /// The best point with plateau->recommended in place of its constant bias; empty where no bias is recommended, each
+  /// of the range leaves acne, or the best point has that bias itself.
+  std::optional<TunePoint> recommended{};
   std::vector<AxisScan> scans;
   std::vector<WordPoint> of_words;  ///< for each axis of words and each of its values that was evaluated
   std::string method;               ///< "all 12 combinations", "DIRECT-L, then subplex"
@@ -64,7 +67,9 @@ struct ComparedPoint {
 struct HeldOut {
   std::vector<std::string> cases;  ///< their titles
   TunePoint before, best;
-  std::optional<Estimate> difference;  ///< best − default
+  std::optional<Estimate> difference{};              ///< best − default
+  std::optional<TunePoint> recommended{};            ///< TuneResult::recommended here
+  std::optional<Estimate> recommended_difference{};  ///< recommended − default
 };
 
 struct TuneJudgement {
@@ -84,11 +89,7 @@ struct TuneSummary {
   TuneJudgement judgement;
 };
 
-/// The constant bias that the rule of every command recommends, in its axis's unit; nothing where it is not on an axis,
-/// where none can be recommended, and where each of the range leaves acne.
-std::optional<double> recommended_bias(const TuneResult& result);
-
-/// The values to use, as a point: the best one's, with recommended_bias() in place of its constant bias.
-std::vector<Value> values_to_use(const TuneSummary& summary);
+/// The point to use: the recommended one, or the best where no other is recommended.
+const TunePoint& point_to_use(const TuneResult& result);
 
 }  // namespace umbrameter

@@ -35,10 +35,18 @@ HeldOut check_held_out(const JudgeInput& in) {
     return point;
   };
   const AtCase best = at(in, in.result.best.values);
-  HeldOut held{
-      titles_of(in.unseen), measure(in.result.before.values, as_given()), measure(in.result.best.values, best), {}};
-  held.difference = cost_difference(goal, held.best.cases, leave_out_blocks(in.unseen, goal, best), held.before.cases,
-                                    leave_out_blocks(in.unseen, goal, as_given()));
+  HeldOut held{titles_of(in.unseen), measure(in.result.before.values, as_given()),
+               measure(in.result.best.values, best)};
+  const LeftOutBlocks of_before = leave_out_blocks(in.unseen, goal, as_given());
+  const auto difference = [&](const TunePoint& point, const AtCase& at) {
+    return cost_difference(goal, point.cases, leave_out_blocks(in.unseen, goal, at), held.before.cases, of_before);
+  };
+  held.difference = difference(held.best, best);
+  if (in.result.recommended) {
+    const AtCase recommended = at(in, in.result.recommended->values);
+    held.recommended = measure(in.result.recommended->values, recommended);
+    held.recommended_difference = difference(*held.recommended, recommended);
+  }
   return held;
 }
 

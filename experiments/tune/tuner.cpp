@@ -64,6 +64,10 @@ void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& 
   const bool is_share = result.goal.text == error_statistic && !result.goal.is_worst_case && !result.goal.is_relative;
   result.plateau = plateau_of(cells, {}, is_share ? result.evidence.pixels : 0);
   result.withheld = reason_against_on_axis(*result.plateau, result.evidence);
+  if (result.withheld || !result.plateau->has_little_acne()) return;
+  const auto recommended = std::ranges::find(constants, result.plateau->recommended.constant);
+  const TunePoint& point = all.at(static_cast<std::size_t>(recommended - constants.begin()));
+  if (point.values != result.best.values) result.recommended = point;
 }
 
 bool differ(const std::vector<TuneAxis>& axes, const std::vector<Value>& a, const std::vector<Value>& b) {

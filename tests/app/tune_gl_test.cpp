@@ -254,14 +254,30 @@ TEST_F(Tune, Names_the_bias_that_compare_recommends_where_the_best_point_is_anot
   const std::string tuned = answer({"tune", "courtyard", "--vary", "shadow.constant-bias=0texels:8texels"});
   EXPECT_EQ(tuned.find("use constant-bias 3.28 texels: mean absolute error 0.575 %, acne "), 0u) << tuned;
   EXPECT_NE(tuned.find("/tuned.toml with constant-bias 3.28 texels; "), std::string::npos) << tuned;
-  const Json recommended =
-      Json::parse(text_of(folder_ / "tune/summary.json"))["tuning"]["recommended_bias"]["recommended"];
+  const Json tuning = Json::parse(text_of(folder_ / "tune/summary.json"))["tuning"];
+  const Json recommended = tuning["recommended_bias"]["recommended"];
+  EXPECT_EQ(tuning["recommended"]["cost"], recommended["cost"]);
+  EXPECT_EQ(tuning["recommended"]["values"]["shadow.constant-bias"], recommended["constant_bias"]);
+  // The held-out check is of the point to use.
+  const Json held = tuning["held_out"];
+  EXPECT_EQ(held["recommended"]["values"], tuning["recommended"]["values"]);
+  EXPECT_NE(held["recommended"]["cost"], held["best"]["cost"]);
+  EXPECT_NE(tuned.find("; the recommended point is "), std::string::npos) << tuned;
   ASSERT_EQ(
       run_program({"compare", "-c", folder_ / "tune/tuned.toml", "-o", folder_ / "use", "--no-figures"}).exit_code, 0);
   const Json used = Json::parse(text_of(folder_ / "use/summary.json"))["shadows"][0]["statistics"];
   EXPECT_NEAR(used["mae"].get<double>(), recommended["cost"].get<double>(), 1e-12);
   const std::string compared = answer({"compare", "courtyard", "--measure", "shadows"});
   EXPECT_EQ(compared.find("lantern: use bias 3.28 texels"), 0u) << compared;
+  ASSERT_EQ(run_program({"tune", "courtyard", "--vary", "shadow.constant-bias=0texels:8texels", "-o", folder_ / "page",
+                         "--size", "160x90", "--light", "lantern"})
+                .exit_code,
+            0);
+  for (const char* point : {"recommended", "best", "default"}) {
+    const std::string file = std::string("page/figures/") + point + "_error_visibility_lantern.svg";
+    EXPECT_TRUE(std::filesystem::exists(folder_ / file)) << file;
+  }
+  EXPECT_NE(text_of(folder_ / "page/index.html").find("Recommended, best and default point"), std::string::npos);
 }
 
 }  // namespace

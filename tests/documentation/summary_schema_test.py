@@ -44,6 +44,7 @@ RUNS = {
     "sweep of images": ["sweep", "courtyard", "--measure", "image", "--vary", "shadow.constant-bias=0.01,0.02", "--run.metrics", "ssim"],
     "tune": ["tune", "courtyard", "--light", "sun", "--minimize", "acne+peter_panning", "--vary",
              "shadow.constant-bias=0.5texels:8texels:9", "--vary", "shadow.filter=nearest,box", "--for", "three"],
+    "tune a bias": ["tune", "courtyard", "--light", "sun", "--vary", "shadow.constant-bias=0texels:8texels"],
 }
 # Keys that need a scene or a failure that is not worth a run here.
 RARE = {"missed_px", "front_is_thinned", "not_measured"}
