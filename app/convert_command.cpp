@@ -61,6 +61,11 @@ ExitCode run_convert(const CommandLine& line, const Console& console) {
                               experiment.shadow.map.cascades));
   }
   const ConvertedBias bias = convert_bias(source, std::move(targets), places);
+  if (places.front().name == nearest_receiver) {
+    note(console, fmt::format("the nearest and the farthest receiver are found among the pixels of a {}x{} image: "
+                              "another --size or --camera can find others, with texels of another size",
+                              experiment.view.size.width, experiment.view.size.height));
+  }
 
   const std::string map = map_text(stages, experiment, light, layout);
   print_line(console, map);

@@ -42,7 +42,7 @@ std::string texel_range(const FormulaRange& range) {
 bool has_no_residual(const BiasFormula& formula) { return formula.residual < formula_rounding * formula.axis_step; }
 
 std::string residual_text(const BiasFormula& formula) {
-  if (has_no_residual(formula)) return "no residual";
+  if (has_no_residual(formula)) return "no residual: standard errors come from the step of the bias axis alone";
   return fmt::format("RMS residual {} ({:.2g} texels), largest {}", metres_text(formula.residual, 2),
                      formula.residual_texels, metres_text(formula.worst_residual, 2));
 }
@@ -87,9 +87,9 @@ Table formulas_table(const BiasCurves& curves) {
       {"error for r·Δz", "1/texels", "standard error"},
       {"factor of δ", "1", "δ: depth step"},
       {"error for δ", "1", "standard error"},
-      {"residual", "m", "RMS residual"},
+      {"residual", "", "RMS residual"},
       {"residual in texels", "texels", "the same in texels of each point"},
-      {"largest residual", "m", "at the worst point"},
+      {"largest residual", "", "at the worst point"},
       {"texel sizes", "", "of the points"},
       {"Δz", "", "of the points"},
       {"filter radius", "texels", "of the points"},
@@ -111,11 +111,12 @@ Table formulas_table(const BiasCurves& curves) {
           row.insert(row.end(), 2, empty_cell);
         }
       }
-      const auto residual = [&](double value) { return has_no_residual(formula) ? "0" : digits_text(value, 2); };
-      row.insert(row.end(),
-                 {residual(formula.residual), residual(formula.residual_texels), residual(formula.worst_residual),
-                  length_range(formula.texel), length_range(formula.depth_per_texel), texel_range(formula.radius),
-                  length_range(formula.depth_step)});
+      const bool is_0 = has_no_residual(formula);
+      row.insert(
+          row.end(),
+          {is_0 ? "0" : metres_text(formula.residual, 2), is_0 ? "0" : digits_text(formula.residual_texels, 2),
+           is_0 ? "0" : metres_text(formula.worst_residual, 2), length_range(formula.texel),
+           length_range(formula.depth_per_texel), texel_range(formula.radius), length_range(formula.depth_step)});
     }
     row.resize(table.columns.size(), empty_cell);
     table.rows.push_back(std::move(row));

@@ -228,7 +228,9 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
       const char* cell = runs[value.run].command == "sweep" ? ", cell of least error" : "";
       std::string line = fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, compared_text(value),
                                      value.interval == IntervalOf::pixels ? " (95 %, over pixels and rays)" : "");
-      if (value.verdict != Verdict::base) {
+      if (value.verdict == Verdict::equal) {
+        line += fmt::format("; equal to that of {}", runs.front().name);
+      } else if (value.verdict != Verdict::base) {
         line += fmt::format("; difference to {} {} percentage points ({})", runs.front().name,
                             with_half_width(100.0 * value.difference.value, 100.0 * half_width_of(value.difference)),
                             verdict_text(value));

@@ -73,11 +73,25 @@ const std::string& value_of(const std::vector<std::pair<std::string, std::string
 
 std::string size_of(const StoredRun& run) { return value_of(run.parameters, "view.size"); }
 
+// What the description says of one value: "the scene's" of −1, by "…; 0: none, -1: the scene's". Empty if it says
+// nothing.
+std::string meaning_of(const std::string& value, const std::string& meaning) {
+  for (const char* before : {"; ", ", "}) {
+    const std::size_t start = meaning.find(before + value + ": ");
+    if (start == std::string::npos) continue;
+    const std::string said = meaning.substr(start + 2 + value.size() + 2);
+    return said.substr(0, said.find_first_of(",;"));
+  }
+  return {};
+}
+
 // A number alone is in the parameter's unit.
 std::string with_unit(const Parameters& parameters, const std::string& key, const std::string& value) {
   const Parameter* parameter = find(parameters, key);
   if (parameter == nullptr || !parameter->is_number() || value.empty()) return value;
   if (value.back() < '0' || value.back() > '9') return value;
+  if (const std::string said = meaning_of(value, parameter->description.meaning); !said.empty())
+    return fmt::format("{} ({})", value, said);
   const std::string& unit = parameter->description.unit;
   return unit.empty() || unit == "1" ? value : value + " " + unit;
 }

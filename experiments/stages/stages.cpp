@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "core/error.h"
@@ -209,11 +208,13 @@ std::shared_ptr<const TracedVisibility> Stages::hard_truth(const Experiment& exp
 
 TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, std::uint32_t light) {
   Light lamp = this->light(experiment, light);
-  if (reference == Stage::binary_reference) lamp.emitter = std::monostate{};
+  const bool is_over_pixel = reference == Stage::pixel_reference;
+  const bool is_hard = reference == Stage::binary_reference;
+  const char* of_what = is_over_pixel ? ", over whole pixels" : is_hard && is_area(lamp) ? ", without its size" : "";
+  if (is_hard) lamp.emitter = std::monostate{};
   ReferenceKey key = reference_key(experiment, reference, "visibility");
   key.light = light_content(lamp);
   const auto seen = surfels(experiment);
-  const bool is_over_pixel = reference == Stage::pixel_reference;
   if (is_over_pixel) key.surfels += camera_content(seen->view.camera);
   const std::function<TracedVisibility()> trace = [&] {
     const Tracer& rays = tracer();
@@ -224,7 +225,8 @@ TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, st
     }
     return trace_visibility(rays, seen->gbuffer, lamp, sampling, progress.callback());
   };
-  TracedVisibility traced = cache_.get(key, {scene_title(experiment), "visibility of " + title(light)}, trace);
+  TracedVisibility traced =
+      cache_.get(key, {scene_title(experiment), "visibility of " + title(light) + of_what}, trace);
   add(costs_.shadow, traced.statistics);
   costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
   return traced;
@@ -232,65 +234,6 @@ TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, st
 
 Experiment Stages::in_metres(const Experiment& experiment) const {
   return umbrameter::in_metres(experiment, 2.0 * bounds().radius());
-}
-
-AoInBackground::~AoInBackground() {
-  is_cancelled = true;
-  if (traced.valid()) traced.wait();
-}
-
-void Stages::begin_ao_truth(const Experiment& experiment) {
-  struct Cancelled {};
-  require_metres(experiment.truth);
-  const Experiment read = declared(Stage::ao_reference, experiment);
-  ao_in_background_ = std::make_unique<AoInBackground>();
-  AoInBackground& work = *ao_in_background_;
-  // All that the thread reads is computed here, because it must not run stages.
-  work.traced =
-      std::async(std::launch::async, [&work, &rays = tracer(), surfels = surfels(read), params = read.truth,
-                                      seed = static_cast<std::uint32_t>(read.run.seed),
-                                      key = reference_key(read, Stage::ao_reference, "ao"), title = scene_title(read),
-                                      folder = options_.cache, console = console_] {
-        ReferenceCache cache(folder, console);
-        const std::function<TracedAo()> trace = [&] {
-          return trace_ao(rays, surfels->gbuffer, params, seed, [&work](double share) {
-            if (work.is_cancelled) throw Cancelled{};
-            work.share = share;
-          });
-        };
-        return cache.get(key, {title, "ambient occlusion"}, trace);
-      });
-  work.key = key_of(Stage::ao_reference, experiment);
-}
-
-std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
-  require_metres(experiment.truth);
-  const std::string key = key_of(Stage::ao_reference, experiment);
-  const auto counted = [&](TracedAo traced) {
-    add(costs_.hemisphere, traced.statistics);
-    costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
-    return traced;
-  };
-  return ao_truth_.get(key, [&] {
-    const Experiment read = declared(Stage::ao_reference, experiment);
-    if (ao_in_background_ && ao_in_background_->key == key) {
-      const std::unique_ptr<AoInBackground> work = std::move(ao_in_background_);
-      const Tracer& rays = tracer();
-      ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
-      while (work->traced.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
-        progress.show(work->share);
-      }
-      return counted(work->traced.get());
-    }
-    const std::function<TracedAo()> trace = [&] {
-      const Tracer& rays = tracer();
-      ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
-      return trace_ao(rays, surfels(read)->gbuffer, read.truth, static_cast<std::uint32_t>(read.run.seed),
-                      progress.callback());
-    };
-    return counted(
-        cache_.get(reference_key(read, Stage::ao_reference, "ao"), {scene_title(read), "ambient occlusion"}, trace));
-  });
 }
 
 std::shared_ptr<const ShadowMap> Stages::map(const Experiment& experiment, std::uint32_t light) {

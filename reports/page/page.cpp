@@ -75,13 +75,14 @@ std::string head_text(std::string name) {
   return name;
 }
 
-// Whether a column is set flush right: it has a number and nothing else but cells without a value.
+// Whether a column is set flush right: it has numbers, or dashes in their place, and nothing else but empty cells.
 bool is_set_right(const Table& table, std::size_t column) {
   bool any = false;
   for (const std::vector<Value>& row : table.rows) {
     if (column >= row.size()) continue;
-    if (const std::string text = cell_text(row[column]); text.empty() || text == "—") continue;
-    if (!is_number(row[column])) return false;
+    const std::string text = cell_text(row[column]);
+    if (text.empty()) continue;
+    if (text != "—" && !is_number(row[column])) return false;
     any = true;
   }
   return any;

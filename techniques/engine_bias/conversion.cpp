@@ -108,7 +108,7 @@ std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, con
     if (!surfels.is_surface(i)) continue;
     const dvec3 position(surfels.position[i]);
     if (exclusion_of(light, layout, position, dvec3(surfels.geometric_normal[i])) != PixelExclusion::none) continue;
-    MapPlace place = place_at("nearest receiver", position);
+    MapPlace place = place_at(nearest_receiver, position);
     if (places.empty()) places = {place, place};
     if (place.depth < places[0].depth) places[0] = place;
     if (place.depth > places[1].depth) places[1] = place;

@@ -17,6 +17,9 @@ namespace umbrameter {
 /// Throws Error (usage) if such a light reaches no surfel.
 std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, const GBuffer& surfels);
 
+/// Name of the first place of a map whose texels grow with the distance.
+inline constexpr const char* nearest_receiver = "nearest receiver";
+
 /// The places with the spec's own texels and ranges. Throws Error (usage) if their numbers do not match.
 std::vector<MapPlace> places_for(const BiasSpec& spec, const std::vector<MapPlace>& places);
 

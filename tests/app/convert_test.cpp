@@ -136,6 +136,8 @@ TEST(Convert, The_metres_of_one_unit_have_their_sign_and_their_place) {
       convert({"courtyard", "--light", "spot", "--from", "three:bias=-0.001,near=0.01,far=500", "--to", "metres"});
   EXPECT_NE(lamp.out.find(" m at the nearest receiver, −"), std::string::npos) << lamp.out;
   EXPECT_NE(lamp.out.find(" m at the farthest receiver: "), std::string::npos) << lamp.out;
+  EXPECT_NE(lamp.err.find("are found among the pixels of a 160x90 image"), std::string::npos) << lamp.err;
+  EXPECT_EQ(sun.err.find("among the pixels"), std::string::npos) << sun.err;
 }
 
 TEST(Convert, An_offset_of_casters_has_its_own_name_and_defaults_say_that_they_are) {

@@ -24,7 +24,7 @@ export class CellImages {
     return this.pack.cells.map((cell, set) => {
       const row = cell && cells ? cells.row_of(cell.number) : -1;
       if (!cell || row < 0) return this.pack.titles[set] || 'this run';
-      const all = cell.bias_axis && cells!.packed.axes > 1 ? ', any bias' : '';
+      const all = cell.bias_axis && cells!.packed.axes > 1 ? ', at every bias' : '';
       return `${cell.reason}: ${cells!.title(row, cells!.packed.axes > 1 ? cell.bias_axis : '')}${all}`;
     });
   }

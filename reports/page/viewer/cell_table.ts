@@ -19,6 +19,7 @@ export class CellTable {
   private readonly heads: HTMLTableCellElement[];
   private readonly count = make('span', {class: 'count', role: 'status'});
   private readonly filter: HTMLInputElement;
+  private readonly has_marks: boolean; // where all cells have images, or none, a mark would say nothing
   private order: number[]; // rows of the cells, in the order shown
   private active = 0; // place in the order
   private sorted: {column: number; sign: number} | null = null;
@@ -26,6 +27,7 @@ export class CellTable {
   constructor(section: HTMLElement, private readonly cells: Cells, private readonly selection: Selection,
               private readonly has_images: (row: number) => boolean) {
     this.order = cells.rows.map((_, row) => row);
+    this.has_marks = this.order.some(this.has_images) && !this.order.every(this.has_images);
     this.columns = cells.columns.map((_, c) => c).filter((c) => !cells.is_end(c) && !this.is_left_out(c));
     this.heads = this.columns.map((c) => make('th', {scope: 'col', title: cells.columns[c].meaning, role: 'columnheader'},
       make('button', {type: 'button', class: 'sort', click: () => this.sort_by(c)}, breakable(cells.columns[c].head))));
@@ -39,7 +41,7 @@ export class CellTable {
                                  input: () => this.apply()});
     section.append(
       make('h2', {id: 'all-cells'}, 'All cells'),
-      make('p', {}, `${this.extent()} Click a row, or press Enter on it, for the cell's numbers and images. ● marks cells with images.${this.constants()}`),
+      make('p', {}, `${this.extent()} Click a row, or press Enter on it, for the cell's numbers and images.${this.has_marks ? ' ● marks cells with images.' : ''}${this.constants()}`),
       make('div', {class: 'table-tools'}, this.filter, this.count,
            make('button', {type: 'button', class: 'csv', title: 'Download these rows as CSV',
                            click: () => download('cells.csv', this.csv(), 'text/csv')}, 'CSV')),
@@ -117,7 +119,7 @@ export class CellTable {
     this.below.style.height = `${(this.order.length - last) * row_height}px`;
     const rows = this.order.slice(first, last).map((row, k) => {
       const place = first + k;
-      const mark = this.has_images(row) ? '● ' : '';
+      const mark = this.has_marks && this.has_images(row) ? '● ' : '';
       return make('tr', {role: 'row', id: `cell-row-${row}`, class: row === this.selection.row ? 'selected' : '', 'data-place': place, 'aria-rowindex': place + 3,
                          'aria-selected': String(row === this.selection.row)},
                   make('th', {scope: 'row', role: 'rowheader'}, mark + cells.number_of(row)),
