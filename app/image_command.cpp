@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "app/commands.h"
 #include "app/dry_run.h"
+#include "core/lists.h"
 #include "core/parallel.h"
 #include "experiments/engine/frame_files.h"
 #include "experiments/measure/ao_input_files.h"
@@ -19,6 +21,7 @@
 #include "experiments/measure/shadow_shape.h"
 #include "experiments/settings/sweep.h"
 #include "experiments/stages/reference_cache.h"
+#include "experiments/sweep/sweep_evaluator.h"
 #include "present/run_output.h"
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
@@ -83,6 +86,29 @@ void require_measured(const Experiment& experiment, const std::vector<BudgetEntr
     const bool is_measured = std::ranges::any_of(
         known, [&](const KnownStatistic& each) { return each.kind == (shadows ? "shadow" : "ao"); });
     require(true, is_measured, condition.place, shadows ? "ambient occlusion" : "shadows");
+  }
+}
+
+// Which statistics a shadow has is known before it is measured: a soft and a filtered one have no causes.
+void require_in_shadows(const Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights,
+                        const std::vector<BudgetEntry>& conditions) {
+  std::set<std::string> measured;
+  for (const std::uint32_t light : lights) {
+    Experiment of_light = experiment;
+    of_light.view.light = std::to_string(light);
+    CellStatistics statistics = choose_statistics(stages, of_light, {}, SweptQuantity::visibility);
+    for (const MetricColumn& column : swept_metrics(experiment, statistics)) measured.insert(column.name);
+    for (const Statistic& each : describe(statistics)) measured.insert(each.name);
+  }
+  for (const BudgetEntry& condition : conditions) {
+    const std::vector<KnownStatistic> known =
+        require_statistic(parse_statistic_name(condition.statistic), condition.place);
+    const bool is_of_shadows =
+        std::ranges::all_of(known, [](const KnownStatistic& each) { return each.kind == "shadow"; });
+    if (!is_of_shadows || measured.contains(known.front().name)) continue;
+    throw Error(ExitCode::usage, condition.place,
+                "no shadow of this run has this statistic; soft and filtered ones have no causes",
+                "choose one of: " + joined(measured, ", "));
   }
 }
 
@@ -255,6 +281,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
                 fmt::format("the scene has {} lights, and a frame shows the shadow of one", lights.size()),
                 fmt::format("add --light NAME, such as --light '{}'", stages.title(lights.front())));
   }
+  if (!lights.empty()) require_in_shadows(stages, experiment, lights, conditions);
   add_setting_notes(stages, line, experiment, lights);
   add_technique_notes(stages, experiment, lights);
   if (has_ao && stages.has_engine() && given.truth.ao_distance.unit == LengthUnit::automatic) {

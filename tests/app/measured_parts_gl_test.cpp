@@ -80,6 +80,16 @@ TEST_F(MeasuredParts, What_refers_to_a_part_that_is_not_measured_is_refused_befo
   refused("ao", {"--fail-if", "acne>0.1%"}, "acne>0.1%");
 }
 
+TEST_F(MeasuredParts, A_condition_on_a_cause_of_a_soft_shadow_is_refused_before_anything_is_measured) {
+  const ProgramResult refused = run("compare", {"--truth.shadow", "pixel", "--fail-if", "acne>0.1%"});
+  EXPECT_EQ(refused.exit_code, 2) << refused.out;
+  EXPECT_NE(refused.err.find("--fail-if 'acne>0.1%'"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("false_blocked"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/summary.json"));
+  const ProgramResult kept = run("compare", {"--truth.shadow", "pixel", "--fail-if", "false_blocked>99%"});
+  EXPECT_EQ(kept.exit_code, 0) << kept.err;
+}
+
 TEST_F(MeasuredParts, A_condition_and_a_budget_hold_what_was_measured_and_name_what_was_not) {
   // Both kinds have a mean absolute error; of AO it would be larger than this.
   const ProgramResult kept = run("compare", {"--measure", "shadows", "--fail-if", "mae>99.99%"});
