@@ -18,15 +18,29 @@ namespace {
 
 class StagesGl : public ContactBoxGl {
  protected:
-  // All that a run yields for the first light, as values that compare bit by bit.
-  static std::vector<float> measure(Stages& stages, const Experiment& experiment) {
-    const ShadowMeasurement shadow = measure_shadow(stages, experiment, 0, {});
-    const AoMeasurement ao = measure_ao(stages, experiment, {});
+  // Beginnings of the keys that a setting can interact with.
+  using Groups = std::vector<std::string_view>;
+  static inline const Groups all_groups = {""};
+  static inline const Groups of_shadows = {"shadow.", "light.", "truth.", "view."};
+  static inline const Groups of_ao = {"ao.", "truth.", "view."};
+  static inline const Groups of_look_ups = {"shadow."};
+
+  // What a run yields for the first light, as values that compare bit by bit: of shadows alone where their groups are
+  // varied, of ambient occlusion alone where its are.
+  static std::vector<float> measure(Stages& stages, const Experiment& experiment, const Groups& groups) {
     std::vector<float> all;
-    for (const Image<float>* image :
-         {&shadow.raster->visibility, &shadow.truth->visibility, &*ao.raster, &ao.truth->ao}) {
-      all.insert(all.end(), image->pixels.begin(), image->pixels.end());
+    const auto add = [&](const Image<float>& image) {
+      all.insert(all.end(), image.pixels.begin(), image.pixels.end());
+    };
+    if (groups == of_ao || groups == all_groups) {
+      const AoMeasurement ao = measure_ao(stages, experiment, {});
+      add(*ao.raster);
+      add(ao.truth->ao);
     }
+    if (groups == of_ao) return all;
+    const ShadowMeasurement shadow = measure_shadow(stages, experiment, 0, {});
+    add(shadow.raster->visibility);
+    add(shadow.truth->visibility);
     for (const uvec4& wrong : shadow.raster->wrong.weights.pixels) {
       for (int c = 0; c < 4; ++c) all.push_back(static_cast<float>(wrong[c]));
     }
@@ -43,17 +57,10 @@ class StagesGl : public ContactBoxGl {
     return all;
   }
 
-  // Beginnings of the keys that a setting can interact with.
-  using Groups = std::vector<std::string_view>;
-  static inline const Groups all_groups = {""};
-  static inline const Groups of_shadows = {"shadow.", "light.", "truth.", "view."};
-  static inline const Groups of_ao = {"ao.", "truth.", "view."};
-  static inline const Groups of_look_ups = {"shadow."};
-
   void expect_fresh(const std::vector<std::string>& settings, const Groups& groups) const {
     const std::unique_ptr<Stages> kept = make_stages();
     Experiment experiment = base(settings);
-    const std::vector<float> fresh_base = measure(*make_stages(), experiment);
+    const std::vector<float> fresh_base = measure(*make_stages(), experiment, groups);
     std::size_t varied = 0;
     for (const Parameter& parameter : describe(experiment)) {
       const bool selects_scene = parameter.key.starts_with("scene.") || parameter.key == "view.scene";
@@ -67,12 +74,12 @@ class StagesGl : public ContactBoxGl {
         require(describe(changed), parameter.key).set_text(value);
         std::vector<float> again;
         try {
-          again = measure(*kept, changed);
+          again = measure(*kept, changed, groups);
         } catch (const Error&) {
           continue;  // the value makes no sense for this light
         }
         const bool is_base = parameter.value() == require(describe(changed), parameter.key).value();
-        EXPECT_TRUE(again == (is_base ? fresh_base : measure(*make_stages(), changed)))
+        EXPECT_TRUE(again == (is_base ? fresh_base : measure(*make_stages(), changed, groups)))
             << parameter.key << " = " << value;
       }
     }
