@@ -277,18 +277,6 @@ TEST_F(RunsReport, Equal_runs_are_equal) {
   EXPECT_EQ(mae_of(a, a).verdict, Verdict::equal);
 }
 
-TEST_F(RunsReport, A_value_that_stands_for_something_else_is_shown_with_what_it_stands_for) {
-  StoredRun own, wide;
-  own.name = "own";
-  own.parameters = {{"light.angle", "-1"}, {"ao.radius", "1"}};
-  wide.name = "wide";
-  wide.parameters = {{"light.angle", "2"}, {"ao.radius", "1"}};
-  const Table table = differing_parameters({own, wide});
-  ASSERT_EQ(table.rows.size(), 1u);
-  EXPECT_EQ(to_string(table.rows[0][1]), "-1 (the scene's)");
-  EXPECT_EQ(to_string(table.rows[0][2]), "2 degrees");
-}
-
 TEST_F(RunsReport, Writes_page_rows_figures_and_tables_and_names_only_the_parameters_that_differ) {
   MadeRun a, b;
   a.error = noise(7, 0.5f);

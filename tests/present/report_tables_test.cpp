@@ -118,5 +118,17 @@ TEST(StatisticsTables, Give_the_mean_of_the_technique_the_decimals_of_its_differ
             (std::vector<Value>{std::string("−0.9370 ± 0.0094"), std::string("95.3796"), std::string("79.4")}));
 }
 
+TEST(RunsReportTables, A_value_that_stands_for_something_else_is_shown_with_what_it_stands_for) {
+  StoredRun own, wide;
+  own.name = "own";
+  own.parameters = {{"light.angle", "-1"}, {"ao.radius", "1"}};
+  wide.name = "wide";
+  wide.parameters = {{"light.angle", "2"}, {"ao.radius", "1"}};
+  const Table table = differing_parameters({own, wide});
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(to_string(table.rows[0][1]), "-1 (the scene's)");
+  EXPECT_EQ(to_string(table.rows[0][2]), "2 degrees");
+}
+
 }  // namespace
 }  // namespace umbrameter
