@@ -20,6 +20,6 @@ namespace shared {
 
 using shared::LightBlock;
 using ViewBlock = shared::View;
-static_assert(sizeof(LightBlock) == 1280 && sizeof(ViewBlock) == 592);
+static_assert(sizeof(LightBlock) == 1296 && sizeof(ViewBlock) == 592);
 
 }  // namespace umbrameter

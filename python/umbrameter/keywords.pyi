@@ -81,8 +81,12 @@ class Keywords(TypedDict, total=False):
     """depth that the map stores: linear, of a projection matrix, or that reversed; linear, perspective or reversed. Default: linear."""
     shadow_depth_near: float
     """near plane of perspective encodings, spot and point lights [m]; a number from 1e-06 to 1e+12. Default: 0.1."""
+    shadow_depth_far: float
+    """far plane of perspective encodings; 0: the farthest surface [m]; a number from 0 to 1e+12. Default: 0.0."""
     shadow_receiver_precision: Literal['full', 'single']
     """of receivers' depths in a spot light's perspective encoding; single: as in engines; full or single. Default: full."""
+    shadow_depth_comparison: Literal['less-equal', 'less']
+    """with receivers in single precision: what is lit, compared with the stored depth; less-equal or less. Default: less-equal."""
     shadow_faces: Literal['all', 'front', 'back']
     """faces that cast, seen from the light; all, front or back. Default: all."""
     shadow_surface: Literal['nearest', 'midpoint', 'second', 'dual']

@@ -40,4 +40,7 @@ layout(std140) uniform LightBlock {
   int offset_is_across;  // 1: only the part of the normal offset across the light
   int offset_is_of_front;  // 1: where a back face is seen, that of its front
   double warp_depth_scale;
+  double encoded_far;  // far_end_of() of techniques/shadow/map_layout.h
+  int tie_shift;       // with ROUNDS_RECEIVERS: that of passing_depth() in map_depth.glsl
+  int unused;
 };

@@ -143,7 +143,7 @@ Receiver project_to_map(dvec3 world, double dither) {
   dvec3 q = dvec3(p.xy, -p.z);
   r.axis_depth = q.z;
 #if ROUNDS_RECEIVERS
-  r.depth = depth_in_floats(vec3(world), receiver_z, receiver_w, encoded_near, far_depth);
+  r.depth = depth_in_floats(vec3(world), receiver_z, receiver_w, encoded_near, encoded_far);
 #else
   r.depth = r.axis_depth;
 #endif
@@ -225,7 +225,8 @@ float bias_unit_of(Receiver receiver, float texel) {
   if (bias_unit == BIAS_IN_TEXELS) return factor * texel;
   if (bias_unit != BIAS_IN_MAP_DEPTH) return factor;
   if (encoded_near == 0.0lf) return factor * float(far_depth);
-  precise double metres = receiver.depth * receiver.depth * (far_depth - encoded_near) / (encoded_near * far_depth);
+  precise double metres =
+      receiver.depth * receiver.depth * (encoded_far - encoded_near) / (encoded_near * encoded_far);
   return float(metres);
 }
 
@@ -297,6 +298,9 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
   // The depth that has this texel's number at the receiver's w.
   precise double ratio = (receiver.in_light.y - warp_center.y) / warp_w(double(tap.texel.y) + 0.5lf);
   blocker = warp_middle_depth + (blocker - warp_middle_depth) * ratio;
+#endif
+#if ROUNDS_RECEIVERS && !RECEIVER_PLANE
+  blocker = passing_depth(blocker, tie_shift, encoded_near, encoded_far);
 #endif
   precise double above = compared - blocker;
 #if COMPARES_ENCODED

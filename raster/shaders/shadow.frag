@@ -56,7 +56,7 @@ float stored_of(float depth) {
   double w = warp_w(double(gl_FragCoord.y));
   return float(encode_over_w(DEPTH_MAPPING, double(depth), w, dvec2(warp_middle_depth, warp_depth_scale)));
 #else
-  return float(encode_depth(DEPTH_MAPPING, double(depth), double(near_depth), far_depth));
+  return float(encode_depth(DEPTH_MAPPING, double(depth), double(near_depth), encoded_far));
 #endif
 }
 

@@ -33,7 +33,7 @@ double stored_of(double depth) {
 #if STORES_OVER_W
   return encode_over_w(DEPTH_MAPPING, depth, warp_w(gl_FragCoord.y), dvec2(warp_middle_depth, warp_depth_scale));
 #else
-  return encode_depth(DEPTH_MAPPING, depth, double(near_depth), far_depth);
+  return encode_depth(DEPTH_MAPPING, depth, double(near_depth), encoded_far);
 #endif
 }
 
@@ -41,7 +41,7 @@ double depth_of(double stored) {
 #if STORES_OVER_W
   return decode_over_w(DEPTH_MAPPING, stored, warp_w(gl_FragCoord.y), dvec2(warp_middle_depth, warp_depth_scale));
 #else
-  return decode_depth(DEPTH_MAPPING, stored, double(near_depth), far_depth);
+  return decode_depth(DEPTH_MAPPING, stored, double(near_depth), encoded_far);
 #endif
 }
 

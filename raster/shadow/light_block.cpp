@@ -34,6 +34,8 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
   block.uses_neighbour = layout.uses_neighbour ? 1 : 0;
   block.far_depth = layout.far_depth;
   block.encoded_near = layout.encoded_near;
+  block.encoded_far = far_end_of(layout);
+  block.tie_shift = layout.equal_is_lit ? 1 : -1;
   if (layout.rounds_receivers) {
     const ClipRows rows = clip_rows(layout);
     block.receiver_z = rows.z;

@@ -14,6 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 4> depth_format_names{"32f", "16f", "24", "16"};
 constexpr std::array<std::string_view, 3> encoding_names{"linear", "perspective", "reversed"};
 constexpr std::array<std::string_view, 2> precision_names{"full", "single"};
+constexpr std::array<std::string_view, 2> comparison_names{"less-equal", "less"};
 constexpr std::array<std::string_view, 3> face_names{"all", "front", "back"};
 constexpr std::array<std::string_view, 2> point_map_names{"cube", "paraboloid"};
 constexpr std::array<std::string_view, 4> surface_names{"nearest", "midpoint", "second", "dual"};
@@ -51,9 +52,14 @@ Parameters describe(MapDepthParams& params) {
               {.unit = {}, .meaning = "depth that the map stores: linear, of a projection matrix, or that reversed"})
       .field("depth-near", params.near_depth,
              {.unit = "m", .meaning = "near plane of perspective encodings, spot and point lights", .min = 1e-6})
+      .field("depth-far", params.far_depth,
+             {.unit = "m", .meaning = "far plane of perspective encodings; 0: the farthest surface", .min = 0})
       .choice(
           "receiver-precision", params.receiver_precision, precision_names,
           {.unit = {}, .meaning = "of receivers' depths in a spot light's perspective encoding; single: as in engines"})
+      .choice(
+          "depth-comparison", params.comparison, comparison_names,
+          {.unit = {}, .meaning = "with receivers in single precision: what is lit, compared with the stored depth"})
       .choice("faces", params.faces, face_names, {.unit = {}, .meaning = "faces that cast, seen from the light"})
       .choice("surface", params.surface, surface_names,
               {.unit = {}, .meaning = "surface whose depth the map holds, of the first two that the light meets"})
@@ -79,8 +85,12 @@ Parameters describe(MapDepthParams& params) {
 Parameters read_parameters(MapDepthParams& params) {
   Parameters read = describe(params);
   std::erase_if(read, [&](const Parameter& each) {
+    const bool is_divided = params.encoding == DepthEncoding::perspective;
+    const bool is_rounded = is_divided && params.receiver_precision == ReceiverPrecision::single;
     return (each.key == "shadow.depth-near" && params.encoding == DepthEncoding::linear) ||
-           (each.key == "shadow.receiver-precision" && params.encoding != DepthEncoding::perspective) ||
+           (each.key == "shadow.depth-far" && params.encoding == DepthEncoding::linear) ||
+           (each.key == "shadow.receiver-precision" && !is_divided) ||
+           (each.key == "shadow.depth-comparison" && !is_rounded) ||
            (each.key == "shadow.dual-offset" && params.surface != StoredSurface::dual);
   });
   return read;
@@ -106,7 +116,10 @@ int depth_mapping(const MapDepthParams& params, const MapLayout& layout) {
 }
 
 MapLayout with_depth_encoding(MapLayout layout, const MapDepthParams& params) {
-  layout.encoded_near = is_perspective(depth_mapping(params, layout)) ? params.near_depth : 0.0;
+  const bool is_encoded = is_perspective(depth_mapping(params, layout));
+  layout.encoded_near = is_encoded ? params.near_depth : 0.0;
+  layout.encoded_far = is_encoded ? params.far_depth : 0.0;
+  layout.equal_is_lit = params.comparison == DepthComparison::less_equal;
   layout.rounds_receivers = params.receiver_precision == ReceiverPrecision::single &&
                             layout.kind == MapKind::perspective && params.encoding == DepthEncoding::perspective;
   if (layout.warp) layout.warp->stores_over_w = params.encoding != DepthEncoding::linear;
@@ -115,7 +128,8 @@ MapLayout with_depth_encoding(MapLayout layout, const MapDepthParams& params) {
 
 ClipRows clip_rows(const MapLayout& layout) {
   const dvec4 depth = -glm::row(layout.light_from_world, 2);
-  const double scale = layout.far_depth / (layout.far_depth - layout.encoded_near);
+  const double far = far_end_of(layout);
+  const double scale = far / (far - layout.encoded_near);
   return {vec4(scale * (depth - dvec4(0.0, 0.0, 0.0, layout.encoded_near))), vec4(depth)};
 }
 
@@ -136,7 +150,7 @@ double depth_step(const MapDepthParams& params, const MapLayout& layout, double 
     const double over_w = shared::encode_over_w(mapping, depth, w, {warp.middle_depth, warp.depth_scale});
     return step_of_stored(params.format, over_w) * w / warp.depth_scale;
   }
-  const double stored = shared::encode_depth(mapping, depth, params.near_depth, layout.far_depth);
+  const double stored = shared::encode_depth(mapping, depth, params.near_depth, far_end_of(encoded));
   return step_of_stored(params.format, stored) * metres_per_map_depth(encoded, std::max(depth, encoded.encoded_near));
 }
 
@@ -146,6 +160,13 @@ void require_sense(const MapDepthParams& params, const MapLayout& layout) {
                 to_string(Value(params.near_depth)) + " m is beyond the farthest surface, at " +
                     to_string(Value(layout.far_depth)) + " m",
                 "choose a smaller one");
+  }
+  if (is_perspective(depth_mapping(params, layout)) && params.far_depth > 0.0 &&
+      !(params.near_depth < params.far_depth)) {
+    throw Error(ExitCode::usage, "shadow.depth-far",
+                to_string(Value(params.far_depth)) + " m is not beyond shadow.depth-near, " +
+                    to_string(Value(params.near_depth)) + " m",
+                "choose a larger one, or 0");
   }
   if (params.surface != StoredSurface::nearest && has_polygon_offset(params)) {
     throw Error(ExitCode::usage, "shadow.surface",

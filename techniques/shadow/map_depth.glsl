@@ -1,5 +1,6 @@
 // What a shadow map stores for a depth, and back. The shaders compile this text as GLSL, and map_depth.h compiles it as
-// C++. The constants of the mapping are those of map_depth.h. Depths, near_depth and far_depth are in metres.
+// C++. The constants of the mapping are those of map_depth.h. Depths, near_depth and far_depth are in metres; far_depth is
+// MapLayout's for linear mappings, and that of far_end_of() for the others.
 
 /// The stored number of a depth, from 0 to 1. A depth before the near plane counts as on it.
 SHARED double encode_depth(int mapping, double depth, double near_depth, double far_depth) {
@@ -48,4 +49,15 @@ SHARED double depth_in_floats(vec3 p, vec4 z_row, vec4 w_row, double near_depth,
   // The nearest float, as not every device divides floats so.
   float stored = float(double(z) / double(w));
   return decode_depth(DEPTH_PERSPECTIVE, double(stored), near_depth, far_depth);
+}
+
+/// Of a stored depth, the one up to which depth_in_floats() passes: half a step of the number before it if only a smaller
+/// number is lit, which tie_shift -1 says, and half a step behind it if an equal one is lit, too, which 1 says. The depth
+/// is that of a 32-bit number, rounded so little that beyond a few near planes the number is found again.
+SHARED double passing_depth(double depth, int tie_shift, double near_depth, double far_depth) {
+  float stored = float(encode_depth(DEPTH_PERSPECTIVE, depth, near_depth, far_depth));
+  uint bits = floatBitsToUint(stored);
+  float beside = uintBitsToFloat(tie_shift < 0 ? max(bits, 1u) - 1u : bits + 1u);
+  PRECISE double middle = 0.5 * (double(stored) + double(beside));
+  return decode_depth(DEPTH_PERSPECTIVE, middle, near_depth, far_depth);
 }

@@ -10,10 +10,13 @@
 namespace umbrameter {
 namespace shared {
 
+using glm::floatBitsToUint;
 using glm::frexp;
 using glm::ldexp;
 using glm::max;
 using glm::roundEven;
+using glm::uint;
+using glm::uintBitsToFloat;
 
 // Which number stands for a depth. The first two are linear.
 inline constexpr int DEPTH_LINEAR = 0;
@@ -47,6 +50,9 @@ enum class StoredSurface : int { nearest, midpoint, second, dual };
 /// of the depth over the near plane.
 enum class ReceiverPrecision : int { full, single };
 
+/// Of a receiver in single precision and a stored depth that are the same number: less_equal is lit, less is not.
+enum class DepthComparison : int { less_equal, less };
+
 /// The map of a point light.
 enum class PointMap : int { cube, paraboloid };
 
@@ -60,7 +66,9 @@ struct MapDepthParams {
   MapDepthFormat format = MapDepthFormat::f32;
   DepthEncoding encoding = DepthEncoding::linear;
   double near_depth = 0.1;  ///< metres; of perspective encodings
+  double far_depth = 0.0;   ///< metres; of perspective encodings; 0: MapLayout::far_depth
   ReceiverPrecision receiver_precision = ReceiverPrecision::full;
+  DepthComparison comparison = DepthComparison::less_equal;
   CasterFaces faces = CasterFaces::all;
   StoredSurface surface = StoredSurface::nearest;
   double dual_offset = 0.02;           ///< metres

@@ -134,9 +134,11 @@ bool is_faded(const MapLayout& layout, const dvec3& local, double dither) {
   return share * share * (3.0 - 2.0 * share) > 1.0 - dither;
 }
 
+double far_end_of(const MapLayout& layout) { return layout.encoded_far > 0.0 ? layout.encoded_far : layout.far_depth; }
+
 double metres_per_map_depth(const MapLayout& layout, double depth) {
   const double near = layout.encoded_near;
-  const double far = layout.far_depth;
+  const double far = far_end_of(layout);
   // Of decode_depth() in map_depth.glsl: both perspective mappings have the derivative z² (f − n) / (n f).
   return near > 0.0 ? depth * depth * (far - near) / (near * far) : far;
 }

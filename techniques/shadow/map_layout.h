@@ -63,7 +63,9 @@ struct MapLayout {
   double far_depth = 1.0;       ///< metres; every surface is nearer. Stored depth = depth / far_depth, at least 0.
   /// Near plane if the map stores the depth of a perspective projection, metres; 0: it stores a linear depth.
   double encoded_near = 0.0;
+  double encoded_far = 0.0;       ///< far plane of that projection, metres; 0: far_depth
   bool rounds_receivers = false;  ///< the depth of receivers is that of depth_in_floats(), map_depth.glsl
+  bool equal_is_lit = true;       ///< then: whether a receiver is lit whose number is the stored one
   std::vector<MapView> views = std::vector<MapView>(1);
   /// Of the only view of an orthographic map, whose centre and extent are then those of the square around its area.
   std::optional<MapWarp> warp;
@@ -124,6 +126,9 @@ bool is_faded(const MapLayout& layout, const dvec3& local, double dither);
 
 /// Depth of a world position, metres.
 double depth_of(const MapLayout& layout, const dvec3& position);
+
+/// Where the depth that the map stores is 1 or, reversed, 0: metres. Nothing beyond casts.
+double far_end_of(const MapLayout& layout);
 
 /// The change of a depth when the number that the map stores for it changes by one, metres.
 double metres_per_map_depth(const MapLayout& layout, double depth);

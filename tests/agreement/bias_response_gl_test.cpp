@@ -145,12 +145,17 @@ TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {
     grid.map_depth = params;
     for (const Light& light : lights_) expect_agreement(light, grid);
   }
-  grid.map_depth = set([](MapDepthParams& p) {
-    p.encoding = DepthEncoding::perspective;
-    p.near_depth = 0.01;
-    p.receiver_precision = ReceiverPrecision::single;
-  });
-  expect_agreement(lights_[1], grid);
+  for (const auto& [far, comparison] :
+       {std::pair{0.0, DepthComparison::less_equal}, std::pair{200.0, DepthComparison::less}}) {
+    grid.map_depth = set([far = far, comparison = comparison](MapDepthParams& p) {
+      p.encoding = DepthEncoding::perspective;
+      p.near_depth = 0.01;
+      p.far_depth = far;
+      p.receiver_precision = ReceiverPrecision::single;
+      p.comparison = comparison;
+    });
+    expect_agreement(lights_[1], grid);
+  }
   grid.map_depth = set([](MapDepthParams& p) { p.point_map = PointMap::paraboloid; });
   expect_agreement(lights_[2], grid);
 }

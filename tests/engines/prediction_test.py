@@ -17,7 +17,7 @@ from engine_maps import Scene, babylon, filament, filament_by_default, map_axes,
 
 bound = 0.3          # percentage points
 recommended = 0.2    # percentage points, or a tenth of the error
-common = ["--size", "480x270", "--measure", "visibility"]
+common = ["--measure", "visibility"]
 
 
 @dataclass
@@ -32,6 +32,8 @@ class Case:
     setting: object        # (scene) -> flags of the engine, flags of ours, our bias from the engine's
     kind: str = "sun"      # of light; "spot" or "point"
     in_suite: bool = True  # else only with --table, for the suite's time
+    linked: tuple = ()     # further parameters of ours that have the same value
+    size: str = "480x270"  # of the image
 
 
 def lamp(engine, ours, convert):
@@ -78,10 +80,10 @@ def clustered_omni(scene):
 
 
 def spot_of_playcanvas(kind):
-    """The near plane is a thousandth of the range, 16 m."""
-    return lamp([*lamp_of_playcanvas, kind], ["--shadow.depth-near", "0.016"], lambda bias: f"{10 * bias:.6g}")
+    return lamp([*lamp_of_playcanvas, kind], range_of_spot, lambda bias: f"{10 * bias:.6g}")
 
 
+range_of_spot = ["--shadow.depth-near", "0.016", "--shadow.depth-far", "16"]  # 16 m and a thousandth of that
 lamp_of_playcanvas = ["--engine.clustered-lighting", "false", "--engine.shadow-type"]
 spot_of_three = {"courtyard": [-0.0005, -0.002, 0, -0.005]}
 lamp_normal = dict.fromkeys(["courtyard", "room"], [0, 0.03, 0.01])
@@ -121,7 +123,7 @@ cases = [
          {"courtyard": [0.0002, 0.003, 0.001]}, lamp(lamp_of_babylon, near, lambda bias: f"{29.5 * bias:.6g}"), "spot"),
     Case("Babylon.js, filter pcf, high quality, spot light", "babylon", "babylon-pcf-spot", "bias", constant,
          {"courtyard": [0.0005, 0.002, 0.0001]},
-         lamp([*lamp_of_babylon, "--engine.filter", "pcf"], near, lambda bias: f"{bias / 2:.6g}depth"), "spot"),
+         lamp([*lamp_of_babylon, "--engine.filter", "pcf"], [*near, "--shadow.depth-far", "30"], lambda bias: f"{bias / 2:.6g}depth"), "spot"),
     Case("Babylon.js, filter none, point light", "babylon", "babylon-none-point", "bias", constant,
          dict.fromkeys(["courtyard", "room"], [0.001, 0.003, 0.0002]),
          lamp(lamp_of_babylon, near, lambda bias: f"{30.5 * bias:.6g}"), "point"),
@@ -129,7 +131,7 @@ cases = [
          {"courtyard": [0, 0.01, 0.03]},
          at_bias(lamp(lamp_of_babylon, near, lambda bias: f"{30.5 * bias:.6g}"), "bias", 0.0005, constant), "point", in_suite=False),
     *(Case(f"PlayCanvas, {kind}-32f, spot light", "playcanvas", f"playcanvas-{kind}-spot", "shadow-bias", factor,
-           {"courtyard": [0.1, second, 0.05, 0.2, 0.4]}, spot_of_playcanvas(f"{kind}-32f"), "spot")
+           {"courtyard": [0.1, second, 0.05, 0.2, 0.4]}, spot_of_playcanvas(f"{kind}-32f"), "spot", linked=(units,))
       for kind, second in (("pcf1", 0.12), ("pcf3", 0.15))),
     Case("PlayCanvas, pcf3-32f, spot light, normalOffsetBias", "playcanvas", "playcanvas-pcf3-spot", "normal-offset-bias",
          receiver, {"courtyard": [0.01, 0.03, 0]}, at_bias(spot_of_playcanvas("pcf3-32f"), "shadow-bias", 0.05, factor, units),
@@ -137,7 +139,7 @@ cases = [
     Case("PlayCanvas, pcf1-32f, spot light, clustered", "playcanvas", "playcanvas-pcf1-spot", "shadow-bias", factor,
          {"courtyard": [0.1, 0.15, 0.05, 0.2, 0.4]},
          lamp(["--engine.clustered-lighting", "true", "--engine.shadow-type", "pcf1-32f"],
-              ["--shadow.depth-near", "0.016", "--shadow.resolution", "2048"], lambda bias: f"{10 * bias:.6g}"), "spot", in_suite=False),
+              [*range_of_spot, "--shadow.resolution", "2040"], lambda bias: f"{10 * bias:.6g}"), "spot", in_suite=False, linked=(units,), size="1920x1080"),
     Case("PlayCanvas, pcf1-32f, point light", "playcanvas", "playcanvas-pcf1-point", "shadow-bias", constant,
          dict.fromkeys(["courtyard", "room"], [0.05, 0.2, 0.1, 0.15, 0.4]), omni, "point"),
     Case("PlayCanvas, pcf1-32f, point light, clustered, atlas of 2046²", "playcanvas", "playcanvas-pcf1-point", "shadow-bias",
@@ -175,8 +177,8 @@ def value_of(text):
 class Engine:
     """An engine that `umbrameter serve` keeps running: starting a browser takes longer than many frames."""
 
-    def __init__(self, program, adapter, scene, classes):
-        words = ["serve", scene.file, "--engine", adapter, "--light", "sun", *common, "--run.classes", classes, "--quiet"]
+    def __init__(self, program, adapter, scene, size, classes):
+        words = ["serve", scene.file, "--engine", adapter, "--light", "sun", "--size", size, *common, "--run.classes", classes, "--quiet"]
         self.process = subprocess.Popen([program, *words], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def errors(self, light, flags):
@@ -204,10 +206,10 @@ class Predictions:
         self.engines = {}
 
     def engine(self, case, scene):
-        key = (case.engine, scene.file)
+        key = (case.engine, scene.file, case.size)
         if key not in self.engines:
             self.close()  # one browser at a time
-            self.engines[key] = Engine(self.program, str(self.root / "engines" / case.engine / "adapter"), scene, self.classes)
+            self.engines[key] = Engine(self.program, str(self.root / "engines" / case.engine / "adapter"), scene, case.size, self.classes)
         return self.engines[key]
 
     def close(self):
@@ -245,7 +247,7 @@ class Predictions:
         scene = self.scene(name, case.engine)
         engine, ours, _ = case.setting(scene)
         out = str(self.folder / "tuned")
-        self.run("tune", scene.file, "--light", "sun", *common, "--no-figures", "--run.classes", self.classes, "-c", str(self.root / "presets" / f"{case.preset}.toml"),
+        self.run("tune", scene.file, "--light", "sun", "--size", case.size, *common, "--no-figures", "--run.classes", self.classes, "-c", str(self.root / "presets" / f"{case.preset}.toml"),
                  "--shadow.constant-bias", "0", "--view.surfels", "traced", *ours, "--vary", each.axis, "--for",
                  each.target(scene), "--evaluations", "30", "--force", "-o", out)
         summary = json.loads(Path(out, "summary.json").read_text(encoding="utf-8"))
@@ -263,8 +265,13 @@ class Predictions:
         theirs = [self.engine(case, scene).errors(light, [*engine, f"--engine.{case.axis}", str(bias)])
                   for bias in biases]
         preset = str(self.root / "presets" / f"{case.preset}.toml")
-        ours = self.sweep(scene, case.our_axis, [convert(bias) for bias in biases], "--light", light, "-c", preset,
-                          "--view.surfels", "traced", *ours)
+        flags = ["--light", light, "--size", case.size, "-c", preset, "--view.surfels", "traced", *ours]
+        values = [convert(bias) for bias in biases]
+        if case.linked:
+            ours = [row for value in values for row in
+                    self.sweep(scene, case.our_axis, [value], *flags, *(word for name in case.linked for word in (f"--{name}", value)))]
+        else:
+            ours = self.sweep(scene, case.our_axis, values, *flags)
         return list(zip(biases, theirs, ours))
 
 

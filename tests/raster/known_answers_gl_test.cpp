@@ -313,6 +313,34 @@ TEST_F(KnownAnswersGl, The_lit_strip_behind_a_wall_follows_its_formula) {
   }
 }
 
+// On a plane across the axis of a light at a power of two metres, the matrix and the division give each receiver the
+// very number that the map stores.
+TEST_F(KnownAnswersGl, An_equal_number_is_lit_or_not_as_the_comparison_says) {
+  Scene scene;
+  add_mesh(scene, ground(30.0f));
+  const UploadedScene uploaded = upload(context(), scene);
+  const Light light = spot_light({0, 4, 0}, {0, 0, 0}, 0.35);
+  const GpuGBuffer surfels = upload(context(), surfels_on_ground(64, 64, -1, 1, -1, 1));
+  const auto visibility = [&](DepthComparison comparison, double near, double far) {
+    MapDepthParams depth;
+    depth.encoding = DepthEncoding::perspective;
+    depth.near_depth = near;
+    depth.far_depth = far;
+    depth.receiver_precision = ReceiverPrecision::single;
+    depth.comparison = comparison;
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 256), depth);
+    ShadowParams params;
+    params.bias.constant = {0.0, LengthUnit::metres};
+    return mean(
+        draw_visibility(context(), {uploaded, surfels, map, light, params.bias, make_technique(params)}).visibility);
+  };
+  for (const auto& [near, far] : {std::pair{0.016, 0.0}, std::pair{0.016, 16.0}, std::pair{0.5, 500.0}}) {
+    EXPECT_EQ(visibility(DepthComparison::less_equal, near, far), 1.0) << near;
+    EXPECT_EQ(visibility(DepthComparison::less, near, far), 0.0) << near;
+  }
+  EXPECT_EQ(visibility(DepthComparison::less, 0.5, 3.0), 1.0) << "nothing beyond the far plane casts";
+}
+
 // A perspective depth is A − B / z with B = f n / (f − n), and the reciprocal depth of a plane with the unit normal m
 // at the distance d from the light is linear in the map's coordinates: m · (x, y, −1) / d. A nearest tap is off by half
 // a texel t (a tangent), so that the same bias B t (|m.x| + |m.y|) / (2 d) serves the whole plane.

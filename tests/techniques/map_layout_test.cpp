@@ -146,6 +146,40 @@ TEST(SpotMap, A_receiver_in_single_precision_is_off_by_its_roundings_times_the_s
   EXPECT_FALSE(with_depth_encoding(layout, params).rounds_receivers);
 }
 
+TEST(SpotMap, Receivers_pass_half_a_step_before_or_behind_the_stored_number) {
+  const double near = 0.016;
+  const double far = 16.0;
+  const auto depth_of_number = [&](float number) {
+    return shared::decode_depth(shared::DEPTH_PERSPECTIVE, static_cast<double>(number), near, far);
+  };
+  for (const float stored : {0.8f, 0.9f, 0.99f, 0.9975f, 0.9987654f}) {
+    // What look-ups read of it.
+    const auto read = static_cast<double>(static_cast<float>(depth_of_number(stored) / far)) * far;
+    const double equal_fails = shared::passing_depth(read, -1, near, far);
+    const double equal_passes = shared::passing_depth(read, 1, near, far);
+    EXPECT_LT(depth_of_number(std::nextafter(stored, 0.0f)), equal_fails) << stored;
+    EXPECT_LT(equal_fails, depth_of_number(stored)) << stored;
+    EXPECT_LT(depth_of_number(stored), equal_passes) << stored;
+    EXPECT_LT(equal_passes, depth_of_number(std::nextafter(stored, 1.0f))) << stored;
+  }
+}
+
+TEST(SpotMap, A_far_plane_of_its_own_changes_the_step_of_the_stored_depth_by_the_near_over_the_far) {
+  const MapLayout layout =
+      fit_light(make_light(straight_down({0, 10, 0}), SpotLight{0.0, 0.0, pi / 4}), box({-3, 0, -3}, {3, 1, 3}), 64);
+  MapDepthParams params;
+  params.encoding = DepthEncoding::perspective;
+  params.near_depth = 0.5;
+  EXPECT_EQ(far_end_of(with_depth_encoding(layout, params)), layout.far_depth);
+  params.far_depth = 30.0;
+  const MapLayout encoded = with_depth_encoding(layout, params);
+  EXPECT_EQ(far_end_of(encoded), 30.0);
+  EXPECT_EQ(encoded.far_depth, layout.far_depth);
+  EXPECT_NEAR(metres_per_map_depth(encoded, 4.0), 16.0 / 0.5 * (1.0 - 0.5 / 30.0), 1e-12);
+  params.encoding = DepthEncoding::linear;
+  EXPECT_EQ(far_end_of(with_depth_encoding(layout, params)), layout.far_depth);
+}
+
 TEST(CubeMap, Depth_is_radial_and_texels_are_those_of_the_face) {
   const MapLayout layout =
       fit_light(make_light(glm::translate(dmat4(1.0), dvec3(1, 2, 3)), PointLight{}), box({-1, 0, 0}, {1, 2, 3}), 512);

@@ -68,7 +68,7 @@ Receiver project_to_map(const MapLayout& layout, const dvec3& world, double dith
       r.depth = length_of(p);
     } else if (layout.rounds_receivers) {
       const ClipRows rows = clip_rows(layout);
-      r.depth = shared::depth_in_floats(vec3(world), rows.z, rows.w, layout.encoded_near, layout.far_depth);
+      r.depth = shared::depth_in_floats(vec3(world), rows.z, rows.w, layout.encoded_near, far_end_of(layout));
     }
     r.axis_depth = q.z;
     r.is_inside = r.axis_depth > 0.0;

@@ -6,6 +6,7 @@
 
 #include "core/random.h"
 #include "techniques/shadow/histogram.h"
+#include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/reference/ordered.h"
 
 namespace umbrameter {
@@ -90,6 +91,9 @@ Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& of
       const MapWarp& warp = *layout.warp;
       const double w = warp_w(warp, (tap.texel.y + 0.5) / static_cast<double>(resolution) * 2.0 - 1.0);
       blocker = warp.middle_depth + (blocker - warp.middle_depth) * ((receiver.in_light.y - warp.center.y) / w);
+    }
+    if (layout.rounds_receivers && !lookup.bias.receiver_plane) {
+      blocker = shared::passing_depth(blocker, layout.equal_is_lit ? 1 : -1, layout.encoded_near, far_end_of(layout));
     }
     double above = compared - blocker;
     if (compares_encoded(layout, lookup.bias.constant.unit)) {
