@@ -73,7 +73,8 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
                                         : !shadows ? "AO"
                                                    : "AO and area lights"));
   }
-  rows.emplace_back("files", "index.html, summary.json, images.exr, experiment.toml, figures/" +
+  rows.emplace_back("files", std::string("index.html, summary.json, images.exr, experiment.toml") +
+                                 (line.no_figures ? "" : ", figures/") +
                                  (line.output.empty() ? std::string() : " in " + line.output.string()));
   return show(console, rows);
 }
@@ -118,9 +119,8 @@ ExitCode show_sweep_plan(const Console& console, SweepRun& sweep) {
   const SweepCosts costs = measure_costs(sweep);
   const double seconds = GroupCosts(costs, plan).seconds(0, groups);
   const std::string time = seconds < 1.0 ? "less than 1 s" : "about " + time_text(seconds);
-  rows.emplace_back(
-      "time", fmt::format("{} to measure, plus the report; estimated from {} measured groups or parts of groups", time,
-                          costs.measured));
+  rows.emplace_back("time", fmt::format("{} to measure, plus the report; estimated from {} trial measurements", time,
+                                        costs.measured));
   return show(console, rows);
 }
 

@@ -6,6 +6,7 @@
 #include "core/interrupt.h"
 #include "core/lists.h"
 #include "experiments/measure/engine_advice.h"
+#include "experiments/measure/measure.h"
 #include "experiments/sweep/page_cells.h"
 #include "experiments/tune/tune_judgement.h"
 #include "present/plateau_text.h"
@@ -113,15 +114,24 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
 }
 
 // What the cost does not show.
-void add_caveats(const TuneRun& run) {
+void add_caveats(const TuneRun& run, const TuneSummary& summary) {
   const TuneCase& first = run.cases.front();
   const std::vector<SweepAxis> axes = mapped(run.job.axes, [](const TuneAxis& each) { return each.axis; });
   std::vector<std::string> caveats;
   if (first.quantity == SweptQuantity::visibility) {
     const bool is_hard = std::ranges::any_of(
         run.cases, [](const TuneCase& each) { return !each.stages->is_sampled(each.experiment, each.light); });
-    if (is_hard && varies_filter(axes)) caveats.emplace_back(filter_warning);
+    const bool minimizes_edges = measures_edges(joined(run.job.goal.columns, ",", &Column::name));
+    if (is_hard && varies_filter(axes) && !minimizes_edges) caveats.push_back(filter_warning("--minimize"));
     if (needs_biases(axes)) caveats.emplace_back(one_bias_warning);
+  }
+  if (first.quantity == SweptQuantity::ao) {
+    for (const TuneCase& each : run.cases) {
+      const Experiment used = at_point(each, summary.axes, point_to_use(summary.result).values);
+      const SampledError error = measure_ao(*each.stages, used, {}).statistics->error;
+      const double without = 1.0 - error.mean_truth.value;
+      if (error.mae.value >= without) caveats.push_back(each.title + ": " + no_ao_text(without));
+    }
   }
   if (first.quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance")) {
     std::string limits;  // a share of a scene's size differs from scene to scene
@@ -174,7 +184,7 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   const TuneSummary& summary = results.tune->summary;
   results.tune->engines = engines_of(job, run.cases, summary);
   if (!line.no_figures) results.tune->points = measure_points(run.cases.front(), summary);
-  add_caveats(run);
+  add_caveats(run, summary);
   results.notes = run.notes();
   for (const std::string& text : measured.notes) {
     if (std::ranges::find(results.notes, text) == results.notes.end()) {

@@ -144,7 +144,7 @@ Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& 
   const AoStageError& most = statistics.stages[largest];
   const double total = statistics.total.rmse.value;
   presentation.lines.push_back(
-      fmt::format("AO by stage: {} changes most: mean {}, RMS {}{}; all stages together: RMS {}",
+      fmt::format("AO by stage: the stage '{}' changes AO most: mean {}, RMS {}{}; all stages together: RMS {}",
                   ao_stage_titles[largest], with_sign(percent(most.mean.value)), percent(most.rms.value),
                   most.rms.value > total ? ", partly undone by other stages" : "", percent(total)));
   return presentation;

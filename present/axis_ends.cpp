@@ -25,6 +25,9 @@ std::size_t index_in(const SweepAxis& axis, const Value& value) {
   return static_cast<std::size_t>(std::ranges::find(axis.values, value) - axis.values.begin());
 }
 
+// The size of a light is not there to be optimised: another one has another reference.
+bool changes_reference(const std::string& key) { return key.starts_with("light.") || key.starts_with("truth."); }
+
 // The value next to an end of the axis, towards its middle.
 std::size_t neighbour_of_end(const std::vector<double>& numbers, std::size_t end) {
   std::vector<std::size_t> order(numbers.size());
@@ -58,7 +61,7 @@ std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best
   const auto add_end = [&](const std::vector<Value>& row, std::size_t a, const std::string& setting) {
     const SweepAxis& axis = plan.axes[a];
     const Parameter& parameter = require(sweep.parameters, axis.key);
-    if (!parameter.is_number()) return;
+    if (!parameter.is_number() || changes_reference(axis.key)) return;
     const std::vector<double> numbers = numbers_of(axis);
     const AxisEnd end = end_of(numbers, to_number(row[a]), parameter);
     if (end == AxisEnd::none) return;
@@ -108,7 +111,7 @@ std::vector<std::string> to_lines(const std::vector<OpenEnd>& ends) {
     const std::string where = !has_setting ? ""
                               : count == 1 ? " for " + first.setting
                                            : fmt::format(" for {} combinations, one of them {}", count, first.setting);
-    lines.push_back(fmt::format("{}: the error still falls at the {} end of the axis ({}){}; extend it", first.axis,
+    lines.push_back(fmt::format("{}: the least error is at the {} end of the axis ({}){}; extend it", first.axis,
                                 first.end == AxisEnd::upper ? "upper" : "lower",
                                 with_unit(fmt::format("{:.6g}", first.value), first.unit), where));
   }

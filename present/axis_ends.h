@@ -17,7 +17,7 @@ enum class AxisEnd { none, lower, upper };
 /// order; one alone has no ends.
 AxisEnd end_of(std::span<const double> values, double value, const Parameter& parameter);
 
-/// One axis whose end holds the least error while the neighbouring value has more.
+/// One axis whose end holds the least error while the neighbouring value has more; none of the reference's.
 struct OpenEnd {
   std::string axis;
   AxisEnd end = AxisEnd::none;
@@ -31,7 +31,7 @@ struct OpenEnd {
 std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best,
                                     std::span<const std::size_t> listed_axes);
 
-/// "ao.radius: the error still falls at the upper end of the axis (2 m); extend it", one line an axis and end.
+/// "ao.radius: the least error is at the upper end of the axis (2 m); extend it", one line an axis and end.
 std::vector<std::string> to_lines(const std::vector<OpenEnd>& ends);
 
 /// "open_ends" of summary.json.

@@ -39,7 +39,15 @@ std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   return fmt::format("{} ({}{})", metres_text(bias.metres), texels, average);
 }
 
+// " for acne of at most 0.1 %" where that decides between biases of the range.
+const char* reason_text(const BiasPlateau& plateau, bool is_for_acne) {
+  const bool decides = is_for_acne || plateau.recommended.constant > plateau.first.constant;
+  return decides && plateau.has_little_acne() ? " for acne of at most 0.1 %" : "";
+}
+
 }  // namespace
+
+std::string named_bias_text(const BiasAdvice& advice) { return bias_text(advice, named_bias(advice)); }
 
 std::string advice_text(const BiasAdvice& advice) {
   const BiasCell& used = advice.used;
@@ -52,8 +60,13 @@ std::string advice_text(const BiasAdvice& advice) {
                        shows_acne && little ? ", acne at most 0.1 % from " + bias_text(advice, *little) : "");
   }
   const std::string range = range_text(advice.plateau, advice.unit, "error", percent(advice.plateau.least.mae));
-  const auto acne_left = [](const BiasCell& cell) {
-    return cell.acne > little_acne_share ? fmt::format("; acne of {} remains", percent(cell.acne)) : "";
+  const auto acne_left = [&](const BiasCell& cell) {
+    if (cell.acne <= little_acne_share) return std::string();
+    const std::optional<BiasCell>& little = advice.line.little_acne;
+    return fmt::format("; acne {}, {}", percent(cell.acne),
+                       little ? fmt::format("at most 0.1 % from {}, at an error of {}", bias_text(advice, *little),
+                                            percent(little->mae))
+                              : "and more than 0.1 % at every bias");
   };
   if (keeps_bias(advice)) {
     const bool is_in_range =
@@ -64,7 +77,7 @@ std::string advice_text(const BiasAdvice& advice) {
   // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= advice.plateau.limit;
   return fmt::format("use bias {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended),
-                     is_for_acne && recommended.acne <= little_acne_share ? " for acne of at most 0.1 %" : "",
+                     reason_text(advice.plateau, is_for_acne),
                      is_for_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
                      percent(used.mae), percent(recommended.mae), range, acne_left(recommended));
 }

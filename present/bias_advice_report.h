@@ -17,6 +17,9 @@ std::string advice_text(const BiasAdvice& advice);
 /// with the error of each by cause.
 ReportTable advice_table(const BiasAdvice& advice);
 
+/// The bias of named_bias(), in the unit in use and another: "2.37 texels (6.36 cm)".
+std::string named_bias_text(const BiasAdvice& advice);
+
 /// "recommended_bias" of summary.json.
 nlohmann::ordered_json to_json(const BiasAdvice& advice);
 

@@ -99,7 +99,7 @@ Table formulas_table(const BiasCurves& curves) {
     std::vector<Value> row = of.others;
     row.emplace_back(std::string(name_of(of)));
     row.emplace_back(static_cast<std::int64_t>(of.points.size()));
-    row.push_back(of.formula ? Value(static_cast<std::int64_t>(of.formula->independent)) : empty_cell);
+    row.push_back(of.formula ? Value(static_cast<std::int64_t>(of.formula->independent)) : Value(std::string("—")));
     row.emplace_back(static_cast<std::int64_t>(of.left_out));
     if (of.formula) {
       const BiasFormula& formula = *of.formula;
@@ -170,8 +170,10 @@ std::vector<std::vector<Value>> settings_of(const BiasCurves& curves) {
 }
 
 std::string ranges_text(const BiasFormula& formula) {
-  std::string text = fmt::format("fitted over texel sizes of {}, Δz of {} ({} texels)", length_range(formula.texel),
-                                 length_range(formula.depth_per_texel), texel_range(formula.slope));
+  const std::string texels = texel_range(formula.slope);
+  const bool is_each = formula.depth_per_texel.values > 1 && texels.find(" to ") == std::string::npos;
+  std::string text = fmt::format("fitted over texel sizes of {}, Δz of {} ({} texels{})", length_range(formula.texel),
+                                 length_range(formula.depth_per_texel), texels, is_each ? " each" : "");
   if (printed_term(formula, FormulaTerm::slope_radius))
     text += fmt::format(", r of {} texels", texel_range(formula.radius));
   if (printed_term(formula, FormulaTerm::depth_step)) text += ", δ of " + length_range(formula.depth_step);

@@ -56,6 +56,7 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
 
 std::vector<std::string> notes_with_offset(const EngineAdvice& advice) {
   std::vector<std::string> notes = notes_of(advice.target);
+  if (!advice.measured && !advice.by_default) return notes;
   const BiasEngine& engine = *advice.target.spec.engine;
   if (engine.polygon_factor > 0.0 || engine.polygon_units > 0.0) {
     notes.push_back(
@@ -73,7 +74,9 @@ std::vector<std::string> notes_with_offset(const EngineAdvice& advice) {
 std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, const std::string& what) {
   std::vector<std::string> lines;
   for (const EngineAdvice& each : engines) {
-    lines.push_back(fmt::format("  {} in {}: {}", what, title_of(each.target.spec), engine_error_text(each)));
+    const char* rounded = is_complete(each.target) ? ", rounded up" : "";
+    lines.push_back(
+        fmt::format("  {} in {}{}: {}", what, title_of(each.target.spec), rounded, engine_error_text(each)));
     for (const std::string& code : shown_numbers(each, true)) lines.push_back("    " + code);
     for (const std::string& note : notes_with_offset(each)) lines.push_back(note_mark + note);
   }

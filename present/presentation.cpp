@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/metrics/metric.h"
 #include "core/lists.h"
 #include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
@@ -253,6 +254,19 @@ Presentation present_picture(const LayeredImage& layers) {
   return presentation;
 }
 
+std::string filter_warning(const std::string& flag) {
+  return fmt::format(
+      "against a hard shadow every blurred pixel is wrong, so the least error does not show which filter is best; give "
+      "the light a size (--light.angle, --light.radius), or use {} {}",
+      flag, edge_roughness_metric.name);
+}
+
+std::string no_ao_text(double error_without) {
+  return "no AO at all would be as close to the reference or closer: its error is " + percent(error_without);
+}
+
+bool measures_edges(const std::string& names) { return names.find(edge_roughness_metric.name) != std::string::npos; }
+
 std::string ao_limit_text(const TruthParams& params) {
   return has_distance_limit(params) ? "up to " + metres_text(params.ao_distance.number) : "without distance limit";
 }
@@ -282,8 +296,7 @@ void add_without_ao(Presentation& presentation, double error, double mean_truth)
     presentation.lines.push_back("  without any AO the error would be " + percent(without));
     presentation.section.text += "\n\nWithout any AO the error would be " + percent(without) + ".";
   } else {
-    presentation.answers.push_back(fmt::format(
-        "warning: no AO at all would be as close to the reference or closer: its error is {}", percent(without)));
+    presentation.answers.push_back("warning: " + no_ao_text(without));
   }
 }
 
@@ -342,8 +355,9 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   add_metrics_table(section, ao.metrics);
   const std::string of = renderer.empty() ? technique + " radius " + radius : renderer;
   presentation.answers.push_back(
-      fmt::format("AO: mean absolute error {}, mean signed error {} ({}{}, reference rays {})", text.absolute,
-                  text.with_sign, text.has_interval ? "95 %, over rays; " : "", of, limit));
+      fmt::format("AO: mean absolute error {}, mean signed error {}{} ({}{}, reference rays {})", text.absolute,
+                  text.with_sign, s.mean_error.value > 0.0 ? ", too bright" : ", too dark",
+                  text.has_interval ? "95 %, over rays; " : "", of, limit));
   add_without_ao(presentation, s.mae.value, s.mean_truth.value);
   return presentation;
 }

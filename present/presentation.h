@@ -56,10 +56,14 @@ inline constexpr const char* filter_caution =
     "The reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong, so the mean "
     "absolute error always favours no filter: use it to choose a bias or a resolution, not a filter.";
 
-/// The same, for the answers of a sweep or tuning over filters.
-inline constexpr const char* filter_warning =
-    "against a hard shadow every blurred pixel is wrong, so the least error does not show which filter is best; give "
-    "the light a size (--light.angle, --light.radius), or vary with --run.metrics edge-roughness";
+/// The same, for the answers of a sweep or tuning over filters. `flag` measures the edges instead: "--run.metrics".
+std::string filter_warning(const std::string& flag = "--run.metrics");
+
+/// "no AO at all would be as close to the reference or closer: its error is 1.18 %".
+std::string no_ao_text(double error_without);
+
+/// Whether these names of metrics or statistics have the one that shows which filter is best against a hard shadow.
+bool measures_edges(const std::string& names);
 
 /// Of a sweep or tuning over the reach of the filter, with one bias.
 inline constexpr const char* one_bias_warning =

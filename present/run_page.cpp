@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/lists.h"
+#include "present/bias_advice_report.h"
 #include "present/plot_axes.h"
 #include "present/presentation_parts.h"
 #include "present/sweep_report.h"
@@ -27,6 +28,7 @@ Presentation present_cell(const RunResults& results, const std::string& cell) {
   const LayeredImage& layers = measurement.layers;
   Presentation part;
   std::vector<EngineAdvice> engines;
+  std::string converted;
   if (measurement.ao) {
     part = present_ao(layers, *measurement.ao);
   } else if (measurement.image) {
@@ -34,7 +36,10 @@ Presentation present_cell(const RunResults& results, const std::string& cell) {
   } else {
     // Without the advice that the page's bias slider needs: the sweep's own part has recommended a bias.
     ShadowMeasurement shadow = measurement.shadows.front();
-    if (shadow.advice) engines = std::exchange(shadow.advice->engines, {});
+    if (shadow.advice) {
+      engines = std::exchange(shadow.advice->engines, {});
+      converted = fmt::format("bias recommended for the cell of least error, {},", named_bias_text(*shadow.advice));
+    }
     shadow.advice.reset();
     part = present_shadow(results.scene, layers, shadow);
   }
@@ -43,7 +48,7 @@ Presentation present_cell(const RunResults& results, const std::string& cell) {
   part.lines.clear();
   if (results.sweep->curves) part.lines.push_back("cell of least error: " + cell);
   for (const std::string& answer : std::exchange(part.answers, {})) part.lines.push_back("  " + answer);
-  add_engines(part, engines, "cell of least error");
+  add_engines(part, engines, converted);
   part.section.title += " in the cell of least error";
   part.section.text = fmt::format("This section shows the cell {}.\n\n", cell) + part.section.text;
   return part;
@@ -148,8 +153,9 @@ ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment
   }
   for (const SweepAxis& axis : sweep.plan.axes) {
     const Parameter& parameter = require(sweep.parameters, axis.key);
-    cells.units.push_back(std::holds_alternative<Length*>(parameter.field) ? std::string(unit_name(axis.length_unit))
-                                                                           : "");
+    // As a command has it: "%", not "% of the scene's size".
+    cells.units.push_back(
+        std::holds_alternative<Length*>(parameter.field) ? to_string(Length{1.0, axis.length_unit}).substr(1) : "");
   }
   return cells;
 }

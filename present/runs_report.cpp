@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
@@ -28,8 +29,10 @@ std::string compared_text(const ComparedValue& value) {
   const auto [number, lower, upper] = estimate_of(value);
   const bool is_count = value.measured.unit == "px" && number >= 0.0 && number == std::floor(number);
   if (is_count && !(value.half_width > 0.0)) return grouped(static_cast<std::uint64_t>(number));
-  const std::string text = value.half_width > 0.0 ? estimate_text({scale * number, scale * lower, scale * upper}, "")
-                                                  : with_half_width(scale * number, 0.0);
+  std::string text = value.half_width > 0.0 ? estimate_text({scale * number, scale * lower, scale * upper}, "")
+                                            : with_half_width(scale * number, 0.0);
+  // An interval that ends at 0 does not show the value.
+  if (text.find(" to ") != std::string::npos) text = fmt::format("{} ({})", with_half_width(scale * number, 0.0), text);
   return text + (value.interval == IntervalOf::rays ? rays_only_mark : "");
 }
 
@@ -238,7 +241,17 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
       answers.push_back(std::move(line));
     }
   }
-  if (compares_filters(runs, compared)) answers.push_back(std::string("warning: ") + filter_warning);
+  for (const StoredRun& run : runs) {
+    const auto of_ao = [&](std::string_view name) {
+      const auto found = std::ranges::find_if(
+          run.statistics, [&](const MeasuredStatistic& each) { return each.kind == "ao" && each.name == name; });
+      return found == run.statistics.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+    };
+    const double without = 1.0 - of_ao("mean_truth");
+    if (of_ao(error_statistic) >= without)
+      answers.push_back(fmt::format("warning: {}: {}", run.name, no_ao_text(without)));
+  }
+  if (compares_filters(runs, compared)) answers.push_back("warning: " + filter_warning());
   return answers;
 }
 

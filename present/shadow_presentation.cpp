@@ -155,9 +155,8 @@ std::string agreement_text(const ClassAgreement& agreement) {
   std::string text =
       agreement.reclassified == 0
           ? fmt::format("ray tests confirmed the cause of all {} taps of false occlusion.", grouped(agreement.taps))
-          : fmt::format("ray tests reclassified {} of {} taps from false occlusion to acne: {} of all wrong taps.",
-                        percent(share_of_unresolved(agreement)), grouped(agreement.taps),
-                        percent(share_of_wrong(agreement)));
+          : fmt::format("ray tests reclassified {} of {} taps from false occlusion to acne ({} of all wrong taps).",
+                        grouped(agreement.reclassified), grouped(agreement.taps), percent(share_of_wrong(agreement)));
   if (agreement.on_own_layer > 0) {
     text += fmt::format(
         " By ray tests {} of the peter-panning is light leak, because the map holds the receiver's own surface there; "

@@ -133,7 +133,7 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
       shape.components
           ? "Share of each cause's error within a distance of the nearest edge of the hard shadow. Aliasing lies "
             "within "
-            "one or two texels of an edge, or within half a pixel where that is more; acne lies farther away."
+            "one or two texels of an edge, or within half a pixel where that is more; acne may lie far from any edge."
           : "Share of the error that is too dark, and of that too bright, within a distance of the nearest edge of the "
             "hard shadow of the light's centre. Errors of the penumbra lie within its width of that edge; errors "
             "farther "

@@ -48,6 +48,12 @@ std::string judged(const TuneGoal& goal, const std::string& point, std::optional
                      difference_text(goal, std::abs(value), difference, "percentage points"), is_significant);
 }
 
+// A number that is nearer to the best is hardly another.
+const char* runner_up_words(const TuneSummary& summary) {
+  return std::ranges::all_of(summary.axes, &TuneAxis::is_word) ? "runner-up"
+                                                               : "runner-up, a twentieth of an axis away or more";
+}
+
 std::string comparison(const TuneSummary& summary, const char* what, const TunePoint& other,
                        const std::optional<Estimate>& difference) {
   const TuneGoal& goal = summary.goal;
@@ -158,8 +164,8 @@ std::string bias_range_text(const TuneSummary& summary) {
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
-  return text +
-         fmt::format("; acne at most 0.1 % in every case from {}", value_text(*axis, plateau.recommended.constant));
+  return text + fmt::format("; of these, acne is at most 0.1 % in every case from {}",
+                            value_text(*axis, plateau.recommended.constant));
 }
 
 std::string method_text(const TuneSummary& summary) {
@@ -194,6 +200,23 @@ std::vector<std::string> idle_axes(const TuneSummary& summary) {
   return lines;
 }
 
+// "8 texels is the upper end of the axis; extend it"; nothing where the value lies within.
+std::optional<std::string> end_of_axis_text(const TuneAxis& axis, const Value& value) {
+  Experiment experiment;
+  const double position = position_of(axis, value);
+  constexpr double near_end = 0.005;
+  if (axis.is_continuous ? position > near_end && position < 1.0 - near_end : position > 0.0 && position < 1.0)
+    return {};
+  const std::vector<double> ends = mapped(axis.axis.values, [](const Value& each) { return to_number(each); });
+  const Value& end = position < 0.5 ? axis.axis.values.front() : axis.axis.values.back();
+  const AxisEnd at = end_of(ends, to_number(end), require(describe(experiment), axis.key()));
+  if (at == AxisEnd::none) return {};
+  const std::string text = value_text(axis, value);
+  const std::string last = value_text(axis, end);
+  return fmt::format("{} is the {} end of the axis{}; extend it", text, at == AxisEnd::lower ? "lower" : "upper",
+                     text == last ? "" : ", " + last + ", or next to it");
+}
+
 // What the search found, with its significance.
 void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) {
   const TuneResult& result = summary.result;
@@ -205,27 +228,33 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
     answers.push_back(fmt::format(
-        "use {}: {} {}, acne {}; the smallest bias of the range with acne of at most 0.1 % in every case: a larger one "
-        "detaches shadows that these views may not show",
+        "use {}: {} {}, acne {}; of the biases within {} of the least cost, the smallest with acne of at most 0.1 % in "
+        "every case: a larger one detaches shadows that these views may not show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae),
-        percent(used.acne)));
+        percent(used.acne),
+        result.plateau->is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : std::string("5 %")));
     best = "best point, of least cost";
   }
   // With the digits of the other points, so that it reads as the smallest.
   const std::string plain = cost_text(goal, result.best.score.cost);
-  std::string cost = cost_text(goal, result.best.score.cost, summary.judgement.best);
-  const std::size_t half_width = cost.find(" ± ");
-  if (half_width != std::string::npos) cost = plain.substr(0, plain.find(' ')) + cost.substr(half_width);
+  const std::string range = cost_text(goal, result.best.score.cost, summary.judgement.best);
+  constexpr const char* covers = "95 % interval, over pixels and rays";
+  const std::size_t half_width = range.find(" ± ");
+  const std::string cost =
+      range == plain ? plain
+      : half_width == std::string::npos
+          ? fmt::format("{} ({}: {})", plain, covers, range)
+          : fmt::format("{}{} ({})", plain.substr(0, plain.find(' ')), range.substr(half_width), covers);
   answers.push_back(fmt::format(
-      "{}: {}: {} {}{}{}", best, point_text(summary.axes, result.best.values), cost_words(goal), cost,
-      cost == plain ? "" : " (95 % interval, over pixels and rays)",
+      "{}: {}: {} {}{}", best, point_text(summary.axes, result.best.values), cost_words(goal), cost,
       summary.cases.size() == 1
           ? ""
           : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));
   if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
   answers.push_back(comparison(summary, "default", result.before, summary.judgement.against_before));
   if (result.runner_up) {
-    answers.push_back(comparison(summary, "runner-up", *result.runner_up, summary.judgement.against_runner_up));
+    answers.push_back(
+        comparison(summary, runner_up_words(summary), *result.runner_up, summary.judgement.against_runner_up));
   }
   if (summary.judgement.held_out) {
     const HeldOut& held = *summary.judgement.held_out;
@@ -233,7 +262,7 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const TunePoint& checked = held.recommended ? *held.recommended : held.best;
     answers.push_back(fmt::format("held out ({}): {} → {}; {}",
                                   held.cases.size() == 1 ? held.cases.front()
-                                                         : fmt::format("{} cases, from {} to {}", held.cases.size(),
+                                                         : fmt::format("{} cases: {}, …, {}", held.cases.size(),
                                                                        held.cases.front(), held.cases.back()),
                                   cost_text(absolute, held.before.score.cost), cost_text(absolute, checked.score.cost),
                                   judged(absolute, held.recommended ? "the recommended point" : "the best point",
@@ -284,30 +313,24 @@ std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<Tune
 
 std::vector<std::string> end_warnings(const TuneSummary& summary) {
   std::vector<std::string> warnings;
-  Experiment experiment;
-  const Parameters parameters = describe(experiment);
+  const auto add = [&](std::size_t a, const Value& value, const std::string& whose) {
+    if (std::optional<std::string> end = end_of_axis_text(summary.axes[a], value)) {
+      warnings.push_back(fmt::format("{}: {}best value {}", summary.axes[a].key(), whose, *end));
+    }
+  };
+  const TunePoint& best = summary.result.best;
   for (std::size_t a = 0; a < summary.axes.size(); ++a) {
-    const TuneAxis& axis = summary.axes[a];
-    if (axis.is_word() || axis.count() < 2) continue;
-    const Value& value = summary.result.best.values[a];
-    const double position = position_of(axis, value);
-    constexpr double near_end = 0.005;
-    if (axis.is_continuous ? position > near_end && position < 1.0 - near_end : position > 0.0 && position < 1.0)
-      continue;
+    if (summary.axes[a].is_word() || summary.axes[a].count() < 2) continue;
     // Where the cost does not depend on the parameter, any value is as good.
-    const std::vector<TunePoint>& scanned = summary.result.scans[a].points;
     const bool matters = std::ranges::any_of(
-        scanned, [&](const TunePoint& point) { return is_better(summary.result.best.score, point.score); });
+        summary.result.scans[a].points, [&](const TunePoint& point) { return is_better(best.score, point.score); });
     if (!matters) continue;
-    const std::vector<double> ends = mapped(axis.axis.values, [](const Value& each) { return to_number(each); });
-    const double end = to_number(position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());
-    const AxisEnd at = end_of(ends, end, require(parameters, axis.key()));
-    if (at == AxisEnd::none) continue;
-    const std::string best = value_text(axis, value);
-    const std::string last = value_text(axis, position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());
-    warnings.push_back(fmt::format("{}: the best value {} is the {} end of the axis{}; extend it", axis.key(), best,
-                                   at == AxisEnd::lower ? "lower" : "upper",
-                                   best == last ? "" : ", " + last + ", or next to it"));
+    add(a, best.values[a], "the ");
+    for (const WordPoint& word : summary.result.of_words) {
+      if (word.point.values == best.values) continue;
+      add(a, word.point.values[a],
+          fmt::format("with {} the ", value_text(summary.axes[word.axis], word.point.values[word.axis])));
+    }
   }
   return warnings;
 }

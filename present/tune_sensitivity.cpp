@@ -100,7 +100,7 @@ Table sensitivity_table(const TuneSummary& summary) {
                {"within 5 %", "",
                 "range around it in which the cost is at most 5 % higher: of a constant bias from its whole "
                 "curve, else of the measured values"},
-               {"highest measured", "", "cost on the measured values of the axis"}},
+               {"highest along it", "", "cost on the measured values of the axis, the others at their best values"}},
               {}};
   for (const AxisScan& scan : summary.result.scans) {
     const TuneAxis& axis = summary.axes[scan.axis];

@@ -127,7 +127,9 @@ std::vector<KnownStatistic> require_statistic(const StatisticName& name, const s
   }
   if (!found.empty()) return found;
   names.insert(names.end(), more.begin(), more.end());
-  const std::string similar = suggestion(similar_names(name.name, names));
+  // What the answers call the error.
+  const std::string similar = name.name == "error" ? "its name is '" + std::string(error_statistic) + "'"
+                                                   : suggestion(similar_names(name.name, names));
   std::string list;
   for (const KnownStatistic& each : known_statistics()) {
     if (each.is_error && list.find(each.name) == std::string::npos) list += (list.empty() ? "" : ", ") + each.name;

@@ -64,6 +64,7 @@ UnitGuess guess_units(const Bounds& bounds, double metres, bool is_surrounding) 
   if (bounds.empty()) return guess;
   const dvec3 extent = bounds.extent();
   guess.longest_side = longest(extent);
+  guess.metres = metres;
   guess.reason = doubt(extent, is_surrounding);
   if (guess.reason.empty()) return guess;
   const bool is_out_of_range = guess.longest_side < min_side || guess.longest_side > max_side;
@@ -86,8 +87,11 @@ UnitGuess guess_units(const Bounds& bounds, double metres, bool is_surrounding) 
 
 std::string size_remark(const UnitGuess& guess) {
   if (guess.verdict == SizeVerdict::credible) return {};
-  std::string text = "the scene's longest side is " + text_of(guess.longest_side) + " m: " + guess.reason +
-                     "; if its unit is another, ";
+  std::string text = "the scene's longest side is " + text_of(guess.longest_side) + " m: " + guess.reason;
+  if (std::abs(guess.metres - 1.0) > equal_to_rounding) {
+    return text + "; without --scene.unit, in metres, it is " + text_of(guess.longest_side / guess.metres) + " m";
+  }
+  text += "; if its unit is another, ";
   // Kilometres are a guess for towns, not for toys.
   const bool is_small = guess.longest_side < usual_side;
   if (guess.candidates.empty() || (is_small && guess.candidates.front().unit == "km")) {

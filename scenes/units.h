@@ -21,6 +21,7 @@ enum class SizeVerdict { credible, doubtful, implausible };
 struct UnitGuess {
   SizeVerdict verdict = SizeVerdict::credible;
   double longest_side = 0.0;              ///< of the bounds, metres
+  double metres = 1.0;                    ///< of the unit that they were read with
   std::string reason;                     ///< why not credible, one clause; empty when it is
   std::vector<UnitCandidate> candidates;  ///< the likeliest first; empty when credible, or when no unit helps
   double power_of_ten = 1.0;              ///< length of a unit, metres, that would bring the longest side near 20 m

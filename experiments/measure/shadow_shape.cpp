@@ -138,7 +138,7 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
       {input, raster.visibility, raster.wrong, traced.instance, traced.distance, stages.scene(), surfels->view});
   const std::string missing = missing_contacts_text(casters.search);
   if (!missing.empty() && causes->peter_panning > 0.0) {
-    stages.add_notes({stages.title(shadow.light) + ": " + missing});
+    stages.add_notes({stages.title(shadow.light) + ": there is peter-panning, but " + missing});
   }
   return {analyze_error_shape(input, raster.wrong), std::move(casters.casters), casters.search, std::nullopt,
           stages.has_engine() ? MapViews{} : measure_map_views(stages, shadow)};

@@ -111,6 +111,10 @@ ReferenceCache::ReferenceCache(std::optional<CacheFolder> folder, const Console&
   if (folder_ && folder_->limit == 0) folder_.reset();
 }
 
+std::string of_camera(const View& view) {
+  return view.camera.name.empty() ? std::string() : ", camera " + shortened(view.camera.name, 40);
+}
+
 void ReferenceCache::note_once(const std::string& text) {
   if (noted_.insert(text).second) note(console_, text);
 }

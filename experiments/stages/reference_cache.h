@@ -18,6 +18,9 @@ namespace umbrameter {
 /// Error (usage) for a malformed size.
 std::optional<CacheFolder> user_cache(const Console& console);
 
+/// ", camera arcade"; empty if the camera has no name.
+std::string of_camera(const View& view);
+
 class ReferenceCache {
  public:
   /// Without a folder, get() always traces.

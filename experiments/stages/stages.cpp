@@ -225,8 +225,8 @@ TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, st
     }
     return trace_visibility(rays, seen->gbuffer, lamp, sampling, progress.callback());
   };
-  TracedVisibility traced =
-      cache_.get(key, {scene_title(experiment), "visibility of " + title(light) + of_what}, trace);
+  TracedVisibility traced = cache_.get(
+      key, {scene_title(experiment), "visibility of " + title(light) + of_camera(seen->view) + of_what}, trace);
   add(costs_.shadow, traced.statistics);
   costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
   return traced;

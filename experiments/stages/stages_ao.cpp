@@ -17,11 +17,12 @@ void Stages::begin_ao_truth(const Experiment& experiment) {
   ao_in_background_ = std::make_unique<AoInBackground>();
   AoInBackground& work = *ao_in_background_;
   // All that the thread reads is computed here, because it must not run stages.
-  work.traced =
-      std::async(std::launch::async, [&work, &rays = tracer(), surfels = surfels(read), params = read.truth,
-                                      seed = static_cast<std::uint32_t>(read.run.seed),
-                                      key = reference_key(read, Stage::ao_reference, "ao"), title = scene_title(read),
-                                      folder = options_.cache, console = console_] {
+  work.traced = std::async(
+      std::launch::async,
+      [&work, &rays = tracer(), surfels = surfels(read), params = read.truth,
+       seed = static_cast<std::uint32_t>(read.run.seed), key = reference_key(read, Stage::ao_reference, "ao"),
+       title = CacheTitle{scene_title(read), "ambient occlusion" + of_camera(surfels(read)->view)},
+       folder = options_.cache, console = console_] {
         ReferenceCache cache(folder, console);
         const std::function<TracedAo()> trace = [&] {
           return trace_ao(rays, surfels->gbuffer, params, seed, [&work](double share) {
@@ -29,7 +30,7 @@ void Stages::begin_ao_truth(const Experiment& experiment) {
             work.share = share;
           });
         };
-        return cache.get(key, {title, "ambient occlusion"}, trace);
+        return cache.get(key, title, trace);
       });
   work.key = key_of(Stage::ao_reference, experiment);
 }
@@ -59,8 +60,8 @@ std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
       return trace_ao(rays, surfels(read)->gbuffer, read.truth, static_cast<std::uint32_t>(read.run.seed),
                       progress.callback());
     };
-    return counted(
-        cache_.get(reference_key(read, Stage::ao_reference, "ao"), {scene_title(read), "ambient occlusion"}, trace));
+    return counted(cache_.get(reference_key(read, Stage::ao_reference, "ao"),
+                              {scene_title(read), "ambient occlusion" + of_camera(surfels(read)->view)}, trace));
   });
 }
 

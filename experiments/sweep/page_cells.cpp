@@ -56,7 +56,7 @@ class CellChoice {
     return indices;
   }
 
-  /// The indices of the values that are not varied; where the bias slider shows all biases, any bias will do.
+  /// The indices of the values that are not varied; where the bias slider shows all biases, the nearest bias will do.
   std::optional<std::vector<std::size_t>> indices_without_axes() const {
     Experiment varied = experiment_;
     const Parameters parameters = describe(varied);
@@ -68,7 +68,7 @@ class CellChoice {
         set_value(parameters, axes()[a], axes()[a].values[i]);
         if (require(parameters, axes()[a].key).value() == given) found = i;
       }
-      if (!found && a == bias_axis_) found = 0;
+      if (!found && a == bias_axis_) found = nearest_bias(axes()[a]);
       if (!found) return std::nullopt;
       indices.push_back(*found);
     }
@@ -76,6 +76,15 @@ class CellChoice {
   }
 
  private:
+  // The value of the axis that is nearest to the given bias; nothing where it is in another unit.
+  std::optional<std::size_t> nearest_bias(const SweepAxis& axis) const {
+    const Length given = experiment_.shadow.bias.constant;
+    if (given.unit != axis.length_unit) return std::nullopt;
+    const auto nearest = std::ranges::min_element(
+        axis.values, {}, [&](const Value& value) { return std::abs(to_number(value) - given.number); });
+    return static_cast<std::size_t>(nearest - axis.values.begin());
+  }
+
   const std::vector<SweepAxis>& axes() const { return sweep_.plan.axes; }
 
   Stages& stages_;
@@ -143,7 +152,7 @@ PageCells choose_page_cells(Stages& stages, const SweepResults& sweep, const Exp
   for (std::size_t steps = most; steps <= finest * most && !choice.is_full(); steps *= 2) {
     for (std::size_t k = 0; k < steps && !choice.is_full(); ++k) {
       const std::size_t number = steps > 1 ? k * (sweep.plan.cells - 1) / (steps - 1) : 0;
-      choice.add(choice.indices_of(values_at(sweep.plan, number)).value(), "even step");
+      choice.add(choice.indices_of(values_at(sweep.plan, number)).value(), "further cell");
     }
   }
   return {choice.take(), [&stages, &sweep](const PageCell& cell) {

@@ -88,6 +88,10 @@ class Search {
       std::vector<std::size_t> all = words_;
       all.insert(all.end(), numbers_.begin(), numbers_.end());
       for_each_combination(all, first_values(), [&](const std::vector<Value>& values) { evaluate(values); });
+    } else if (numbers_.empty()) {
+      throw Error(ExitCode::usage, "--evaluations",
+                  fmt::format("{} is fewer than the {} combinations of the axes", limit_, combinations_of_words()),
+                  "give at least as many, or fewer values");
     } else {
       search_numbers();
     }

@@ -73,13 +73,13 @@ TEST_F(Answers, A_sweep_over_the_radius_keeps_the_reference_and_says_how_far_it_
 
 TEST_F(Answers, An_axis_that_ends_too_early_is_said_to_and_its_end_is_not_called_the_least_error) {
   const std::string out = run({"sweep", "tilted-plane", "--light", "0", "--vary", "shadow.constant-bias=0:1mm:5"});
-  EXPECT_NE(out.find("shadow.constant-bias: the error still falls at the upper end of the axis (0.001 m); extend it"),
+  EXPECT_NE(out.find("shadow.constant-bias: the least error is at the upper end of the axis (0.001 m); extend it"),
             std::string::npos)
       << out;
   ASSERT_EQ(summary["sweep"]["open_ends"].size(), 1u);
   EXPECT_EQ(summary["sweep"]["open_ends"][0]["end"], "upper");
   const std::string page = text_of(folder_ / "out/index.html");
-  EXPECT_NE(page.find("the error still falls at the upper end"), std::string::npos);
+  EXPECT_NE(page.find("the least error is at the upper end"), std::string::npos);
   EXPECT_NE(page.find("least mean absolute error tested"), std::string::npos);
 
   // A polygon offset that is too large needs a negative bias, so that 0 is an end, too.
@@ -87,7 +87,7 @@ TEST_F(Answers, An_axis_that_ends_too_early_is_said_to_and_its_end_is_not_called
                                   "shadow.constant-bias=0texels:4texels:9", "--shadow.polygon-offset-factor", "4",
                                   "--shadow.polygon-offset-units", "64"},
                                  "offset");
-  EXPECT_NE(offset.find("shadow.constant-bias: the error still falls at the lower end of the axis (0 texels)"),
+  EXPECT_NE(offset.find("shadow.constant-bias: the least error is at the lower end of the axis (0 texels)"),
             std::string::npos)
       << offset;
   const std::string tuned = run({"tune", "two-occluders", "--light", "sun", "--shadow.resolution", "256", "--vary",
@@ -101,13 +101,27 @@ TEST_F(Answers, An_axis_that_ends_too_early_is_said_to_and_its_end_is_not_called
   for (const char* samples : {"ao.samples=16,64", "ao.samples=16,32,64,128"}) {
     const std::string both =
         run({"sweep", "corner", "--no-figures", "--vary", "ao.radius=0.1,0.2,0.4", "--vary", samples}, samples);
-    EXPECT_NE(both.find("ao.radius: the error still falls at the lower end of the axis (0.1 m)"), std::string::npos)
+    EXPECT_NE(both.find("ao.radius: the least error is at the lower end of the axis (0.1 m)"), std::string::npos)
         << both;
   }
 
   // On a plane a bias without acne is right, and more is no better.
   run({"sweep", "tilted-plane", "--light", "0", "--vary", "shadow.constant-bias=0:10:5"}, "far");
   EXPECT_TRUE(summary["sweep"]["open_ends"].empty()) << summary["sweep"]["open_ends"];
+}
+
+// The light's size changes the reference: there is no best one.
+TEST_F(Answers, An_axis_of_the_reference_is_not_to_be_extended_and_edges_that_are_measured_are_not_asked_for) {
+  const std::string sizes = run({"sweep", "contact-box", "--no-figures", "--truth.spp", "16", "--vary",
+                                 "light.angle=0,2", "--vary", "shadow.filter=nearest,box"});
+  EXPECT_EQ(sizes.find("extend it"), std::string::npos) << sizes;
+  const auto filters = [&](const std::string& metrics) {
+    return run({"sweep", "contact-box", "--light", "sun", "--no-figures", "--run.metrics", metrics, "--vary",
+                "shadow.filter=nearest,box"},
+               "filters-" + metrics);
+  };
+  EXPECT_NE(filters("ssim").find("does not show which filter is best"), std::string::npos);
+  EXPECT_EQ(filters("edge-roughness").find("does not show which filter is best"), std::string::npos);
 }
 
 // Without casters no bias of a plane is wrong that is large enough.

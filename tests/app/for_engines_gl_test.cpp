@@ -42,6 +42,22 @@ TEST_F(ForEngines, Rounded_numbers_are_measured_again) {
               error_of(compare({"--shadow.constant-bias", "0", "--shadow.faces", "back"})), 1e-12);
 }
 
+// The cell of least error has another bias than the one that its curve recommends.
+TEST_F(ForEngines, A_sweep_names_the_bias_that_it_converts) {
+  const std::string out =
+      run_program({"sweep", "courtyard", "--light", "sun", "--size", "160x90", "--no-figures", "--vary",
+                   "shadow.constant-bias=1texels,1.5texels", "--for", "texels", "-o", folder_ / "sweep"})
+          .out;
+  const auto text_after = [&](const std::string& words, char end) {
+    const std::size_t start = out.find(words);
+    EXPECT_NE(start, std::string::npos) << out;
+    if (start == std::string::npos) return std::string();
+    return out.substr(start + words.size(), out.find(end, start) - start - words.size());
+  };
+  EXPECT_EQ(std::stod(text_after("bias recommended for the cell of least error, ", '(')),
+            std::stod(text_after("    bias = ", '\n')));
+}
+
 TEST_F(ForEngines, One_number_for_all_cascades_is_measured_in_each) {
   const std::vector<std::string> cascades = {"--shadow.cascades", "3"};
   const Json shadow =

@@ -80,6 +80,12 @@ TEST_F(MeasuredParts, What_refers_to_a_part_that_is_not_measured_is_refused_befo
   refused("ao", {"--fail-if", "acne>0.1%"}, "acne>0.1%");
 }
 
+TEST_F(MeasuredParts, The_error_of_the_answers_is_known_by_its_name) {
+  const ProgramResult refused = run("compare", {"--fail-if", "error>5%"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("there is no statistic 'error'; its name is 'mae'"), std::string::npos) << refused.err;
+}
+
 TEST_F(MeasuredParts, A_condition_on_a_cause_of_a_soft_shadow_is_refused_before_anything_is_measured) {
   const ProgramResult refused = run("compare", {"--truth.shadow", "pixel", "--fail-if", "acne>0.1%"});
   EXPECT_EQ(refused.exit_code, 2) << refused.out;

@@ -122,7 +122,7 @@ TEST_F(Run, A_dry_run_of_a_sweep_counts_cells_and_groups_and_estimates_the_time)
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("cells      33\n"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("groups     3 of at most 11 cells"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find(" measured groups or parts of groups"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(" trial measurements"), std::string::npos) << result.out;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 

@@ -86,7 +86,7 @@ TEST_F(Tune, Says_in_words_what_was_minimised_and_how_much_better_the_best_point
   const std::string default_line = result.out.substr(result.out.find("\ndefault"));
   EXPECT_NE(default_line.substr(0, default_line.find('\n', 1)).find("; the best point "), std::string::npos)
       << result.out;
-  EXPECT_NE(result.out.find("; acne at most 0.1 % in every case from "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("; of these, acne is at most 0.1 % in every case from "), std::string::npos) << result.out;
 }
 
 TEST_F(Tune, Says_that_a_range_and_the_best_value_reach_the_end_of_the_axis) {
@@ -223,6 +223,13 @@ TEST_F(Tune, Where_no_bias_can_be_known_it_says_why) {
   EXPECT_NE(text_of(folder_ / "unknown/tuned.toml").find("\nconstant-bias = \"1.5texels\""), std::string::npos);
   const std::string few = answer("contact-box", "sun", "9x5");
   EXPECT_EQ(few.find("no bias recommended: only 26 counted pixels"), 0u) << few;
+}
+
+TEST_F(Tune, Fewer_evaluations_than_words_are_refused) {
+  const ProgramResult refused =
+      run_program(arguments("few", {"--light", "sun", "--vary", "shadow.filter=box,tent", "--evaluations", "1"}));
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  EXPECT_NE(refused.err.find("--evaluations: 1 is fewer than the 2 combinations"), std::string::npos) << refused.err;
 }
 
 // What sweep and compare say of the same axes.

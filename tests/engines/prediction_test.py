@@ -57,7 +57,7 @@ unfiltered = {"courtyard": [0.001, 0.002, 0.0005, 0.0015, 0.004], "city": [0.000
 half_floats = {**unfiltered, "courtyard": [0.0005, 0.001, 0.0015, 0.002, 0.004]}  # the first is as small as their steps
 filtered = dict.fromkeys(["courtyard", "city", "room"], [0.004, 0.008, 0.002, 0.006, 0.012])
 sloped = dict.fromkeys(["courtyard", "city", "room"], [0.1, 0.2, 0.05, 0.15, 0.4])
-lights = {"sun": dict.fromkeys(["courtyard", "city", "room"], "sun"), "spot": {"courtyard": "spot"},
+lights = {"sun": dict.fromkeys(["courtyard", "city", "room"], "sun"), "spot": {"courtyard": "spot", "fence": "spot", "city": "street lamp"},
           "point": {"courtyard": "lantern", "room": "lamp"}}
 lamp_of_three = ["--engine.map-size", "512", "--engine.shadow-camera", "custom", "--engine.camera-near", "0.5",
                  "--engine.camera-far", "500", "--engine.type"]
@@ -79,13 +79,21 @@ def clustered_omni(scene):
     return flags, [*ours, "--shadow.resolution", "682"], convert
 
 
-def spot_of_playcanvas(kind):
-    return lamp([*lamp_of_playcanvas, kind], range_of_spot, lambda bias: f"{10 * bias:.6g}")
+def spot_of_playcanvas(*flags, ours=()):
+    """Its planes are the light's range and a thousandth of that."""
+    def setting(scene):
+        reach = {"courtyard": 16, "fence": 16, "city": 24}[scene.name]
+        planes = ["--shadow.depth-near", f"{reach / 1000:g}", "--shadow.depth-far", f"{reach}"]
+        return list(flags), [*planes, *ours], lambda bias: f"{10 * bias:.6g}"
+    return setting
 
 
-range_of_spot = ["--shadow.depth-near", "0.016", "--shadow.depth-far", "16"]  # 16 m and a thousandth of that
+def on_spots(*biases):
+    return dict.fromkeys(["courtyard", "fence", "city"], list(biases))
+
+
 lamp_of_playcanvas = ["--engine.clustered-lighting", "false", "--engine.shadow-type"]
-spot_of_three = {"courtyard": [-0.0005, -0.002, 0, -0.005]}
+spot_of_three = on_spots(-0.0005, -0.002, 0, -0.001, -0.005)
 lamp_normal = dict.fromkeys(["courtyard", "room"], [0, 0.03, 0.01])
 constant = "shadow.constant-bias"
 factor = "shadow.polygon-offset-factor"
@@ -120,26 +128,26 @@ cases = [
     Case("three.js, type pcf, spot light, normalBias", "threejs", "threejs-pcf-spot", "normal-bias", receiver,
          {"courtyard": [0, 0.03, 0.01]}, lamp([*lamp_of_three, "pcf"], [], lambda metres: f"{metres:.6g}"), "spot", in_suite=False),
     Case("Babylon.js, filter none, spot light", "babylon", "babylon-none-spot", "bias", constant,
-         {"courtyard": [0.0002, 0.003, 0.001]}, lamp(lamp_of_babylon, near, lambda bias: f"{29.5 * bias:.6g}"), "spot"),
+         on_spots(0.0002, 0.003, 0.0005, 0.001, 0.002), lamp(lamp_of_babylon, near, lambda bias: f"{29.5 * bias:.6g}"), "spot"),
     Case("Babylon.js, filter pcf, high quality, spot light", "babylon", "babylon-pcf-spot", "bias", constant,
-         {"courtyard": [0.0005, 0.002, 0.0001]},
+         on_spots(0.0005, 0.002, 0.0001, 0.001, 0.004),
          lamp([*lamp_of_babylon, "--engine.filter", "pcf"], [*near, "--shadow.depth-far", "30"], lambda bias: f"{bias / 2:.6g}depth"), "spot"),
     Case("Babylon.js, filter none, point light", "babylon", "babylon-none-point", "bias", constant,
-         dict.fromkeys(["courtyard", "room"], [0.001, 0.003, 0.0002]),
+         dict.fromkeys(["courtyard", "room"], [0.001, 0.003, 0.0002, 0.0005, 0.002]),
          lamp(lamp_of_babylon, near, lambda bias: f"{30.5 * bias:.6g}"), "point"),
     Case("Babylon.js, filter none, point light, normalBias", "babylon", "babylon-none-point", "normal-bias", caster,
          {"courtyard": [0, 0.01, 0.03]},
          at_bias(lamp(lamp_of_babylon, near, lambda bias: f"{30.5 * bias:.6g}"), "bias", 0.0005, constant), "point", in_suite=False),
     *(Case(f"PlayCanvas, {kind}-32f, spot light", "playcanvas", f"playcanvas-{kind}-spot", "shadow-bias", factor,
-           {"courtyard": [0.1, second, 0.05, 0.2, 0.4]}, spot_of_playcanvas(f"{kind}-32f"), "spot", linked=(units,))
+           on_spots(0.1, second, 0.05, 0.2, 0.4), spot_of_playcanvas(*lamp_of_playcanvas, f"{kind}-32f"), "spot", linked=(units,))
       for kind, second in (("pcf1", 0.12), ("pcf3", 0.15))),
     Case("PlayCanvas, pcf3-32f, spot light, normalOffsetBias", "playcanvas", "playcanvas-pcf3-spot", "normal-offset-bias",
-         receiver, {"courtyard": [0.01, 0.03, 0]}, at_bias(spot_of_playcanvas("pcf3-32f"), "shadow-bias", 0.05, factor, units),
+         receiver, {"courtyard": [0.01, 0.03, 0]}, at_bias(spot_of_playcanvas(*lamp_of_playcanvas, "pcf3-32f"), "shadow-bias", 0.05, factor, units),
          "spot"),
     Case("PlayCanvas, pcf1-32f, spot light, clustered", "playcanvas", "playcanvas-pcf1-spot", "shadow-bias", factor,
          {"courtyard": [0.1, 0.15, 0.05, 0.2, 0.4]},
-         lamp(["--engine.clustered-lighting", "true", "--engine.shadow-type", "pcf1-32f"],
-              [*range_of_spot, "--shadow.resolution", "2040"], lambda bias: f"{10 * bias:.6g}"), "spot", in_suite=False, linked=(units,), size="1920x1080"),
+         spot_of_playcanvas("--engine.clustered-lighting", "true", "--engine.shadow-type", "pcf1-32f",
+                            ours=("--shadow.resolution", "2040")), "spot", in_suite=False, linked=(units,), size="1920x1080"),
     Case("PlayCanvas, pcf1-32f, point light", "playcanvas", "playcanvas-pcf1-point", "shadow-bias", constant,
          dict.fromkeys(["courtyard", "room"], [0.05, 0.2, 0.1, 0.15, 0.4]), omni, "point"),
     Case("PlayCanvas, pcf1-32f, point light, clustered, atlas of 2046²", "playcanvas", "playcanvas-pcf1-point", "shadow-bias",

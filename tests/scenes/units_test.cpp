@@ -111,6 +111,11 @@ TEST(Units, A_hall_in_centimetres_is_given_away_by_its_height) {
   EXPECT_EQ(likeliest(guess), "cm");
 }
 
+TEST(Units, Of_a_unit_that_was_set_the_remark_says_what_the_file_is_without_it) {
+  const std::string remark = size_remark(guess_units(box(0.2, 0.15, 0.374), 0.01));
+  EXPECT_TRUE(remark.ends_with("; without --scene.unit, in metres, it is 37.4 m")) << remark;
+}
+
 TEST(Units, A_town_in_kilometres_is_too_small_to_be_one_in_metres) {
   const UnitGuess guess = guess_units(box(0.02, 0.01, 0.03));
   EXPECT_EQ(guess.verdict, SizeVerdict::doubtful);

@@ -2,7 +2,7 @@
 import {best_index, bias_text, images_of, mean_shares, total_of} from './bias';
 import {cause_bar, cause_names} from './cause_bars';
 import {Curve, Ink} from './curve';
-import {Bias, used_index} from './data';
+import {Bias, marked_index} from './data';
 import {percent_text} from './digits';
 import {make, make_svg} from './dom';
 import type {Viewer} from './viewer';
@@ -28,7 +28,7 @@ export class BiasPanel {
 
   private draw_curve(): void {
     const width = this.curve?.svg.parentElement?.clientWidth ?? 0;
-    if (this.curve && this.shown && width > 0) this.curve.draw(width, used_index(this.shown));
+    if (this.curve && this.shown && width > 0) this.curve.draw(width, marked_index(this.shown));
   }
 
   private inks(bias: Bias): Ink[] {
@@ -56,8 +56,8 @@ export class BiasPanel {
                                   'aria-label': `Constant bias of ${bias.group}`,
                                   input: () => viewer.select_bias(Number(slider.value))});
     const reading = make('output', {class: 'reading'});
-    const jump = (title: string, index: number) =>
-      make('button', {type: 'button', click: () => viewer.select_bias(index)}, title);
+    const jump = (title: string, index: () => number) =>
+      make('button', {type: 'button', click: () => viewer.select_bias(index())}, title);
     const inks = this.inks(bias);
     const values = inks.map(() => make('td', {class: 'number'}));
     const bars = inks.map(() => make('td', {class: 'bar-cell'}));
@@ -80,8 +80,8 @@ export class BiasPanel {
                         ...(ink ? {stroke: ink.color} : {})}));
     this.curve = new Curve(bias, inks, can_move ? (index) => viewer.select_bias(index) : null,
                            (range) => viewer.select_range(range));
-    const jumps = make('div', {class: 'buttons'}, jump(`Bias of ${what}`, used_index(bias)),
-                       jump('Least error', best_index(bias)));
+    const jumps = make('div', {class: 'buttons'}, jump(`Bias of ${what}`, () => marked_index(bias)),
+                       jump('Least error', () => best_index(bias)));
     const controls = can_move ? [make('div', {class: 'row'}, slider, jumps)] : [];
     const hint = `A dashed line stays at the bias of ${what} when the slider moves. ` + 'Drag below the curve, or with Shift, to select a range of ' +
       'biases: the bars then show the mean over its biases.' + (can_move
@@ -95,7 +95,7 @@ export class BiasPanel {
            make('p', {class: 'hint'}, hint))));
     this.refresh_shown = () => {
       const text = bias_text(bias, bias.axis[bias.index]);
-      const is_used = bias.axis[bias.index] === bias.used;
+      const is_used = bias.index === marked_index(bias);
       slider.value = String(bias.index);
       slider.setAttribute('aria-valuetext', text);
       const shares: number[] = bias.range ? mean_shares(bias, bias.range) : bias.shares[bias.index];

@@ -69,7 +69,8 @@ export class CellImages {
     const bias = this.viewer.bias();
     if (cell?.bias_axis && bias?.bin) {
       const wanted = Number(cells.rows[row][cells.column(cell.bias_axis)]);
-      this.viewer.select_bias(nearest_index(bias.axis, wanted));
+      bias.marked = nearest_index(bias.axis, wanted);
+      this.viewer.select_bias(bias.marked);
     }
     this.viewer.say(`Images of cell ${cells.number_of(row)}: ${cells.title(row)}.`);
     this.viewer.changed();

@@ -61,6 +61,7 @@ export interface Layer extends LayerHead {
 }
 export interface Bias extends BiasHead {
   index: number; // of the selected bias on the axis
+  marked?: number; // index of the bias of the chosen cell
   range: [number, number] | null; // first and last index of the brushed range
   bin?: Float32Array; // absent if the images cannot follow the bias
   cause?: Float32Array;
@@ -96,6 +97,8 @@ export function nearest_index(axis: number[], wanted: number): number {
 
 // The value of the axis that is the run's own bias.
 export const used_index = (bias: BiasHead) => nearest_index(bias.axis, bias.used);
+// Where the chosen cell has the images of another, its bias.
+export const marked_index = (bias: Bias) => bias.marked ?? used_index(bias);
 
 // The sets of images of the page. Each is unpacked when it is first shown.
 export class Pack {

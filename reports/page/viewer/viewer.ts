@@ -73,7 +73,7 @@ export class Viewer {
       : `${run.width}×${run.height} pixels.`;
     const in_full = document.querySelector('a[href="sweep.csv"]') ? 'those of the cell of least error' : 'them';
     this.precision.textContent = sampling + (run.rounded
-      ? ' Values of this cell are rounded: visibility and AO to 1/255 where they have more than 256 values, others to 7 bits.'
+      ? ' Values of this cell are rounded: visibility and AO with more than 256 different values to 1/255, the other layers to 7 bits.'
       : ' Values are half floats' + (document.querySelector('a[href="images.exr"]') ? `; images.exr has ${in_full} in full.` : '.'));
   }
 
