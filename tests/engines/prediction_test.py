@@ -58,7 +58,7 @@ half_floats = {**unfiltered, "courtyard": [0.0005, 0.001, 0.0015, 0.002, 0.004]}
 filtered = dict.fromkeys(["courtyard", "city", "room"], [0.004, 0.008, 0.002, 0.006, 0.012])
 sloped = dict.fromkeys(["courtyard", "city", "room"], [0.1, 0.2, 0.05, 0.15, 0.4])
 lights = {"sun": dict.fromkeys(["courtyard", "city", "room"], "sun"), "spot": {"courtyard": "spot", "fence": "spot", "city": "street lamp"},
-          "point": {"courtyard": "lantern", "room": "lamp"}}
+          "point": {"courtyard": "lantern", "room": "lamp", "fence": "lantern"}}
 lamp_of_three = ["--engine.map-size", "512", "--engine.shadow-camera", "custom", "--engine.camera-near", "0.5",
                  "--engine.camera-far", "500", "--engine.type"]
 lamp_of_babylon = ["--engine.map-size", "1024", "--engine.shadow-min-z", "0.5", "--engine.shadow-max-z", "30",
@@ -68,7 +68,7 @@ near = ["--shadow.depth-near", "0.5"]
 
 def omni(scene):
     """Its bias is a share of the range, which reaches the farthest corner where the file has none."""
-    reach = {"courtyard": 12.0, "room": 4.511}[scene.name]
+    reach = {"courtyard": 12.0, "room": 4.511, "fence": 14.0}[scene.name]
     return [*lamp_of_playcanvas, "pcf1-32f"], [], lambda bias: f"{0.01 * bias * reach:.6g}"
 
 
@@ -93,8 +93,9 @@ def on_spots(*biases):
 
 
 lamp_of_playcanvas = ["--engine.clustered-lighting", "false", "--engine.shadow-type"]
+on_points = ["courtyard", "room", "fence"]
 spot_of_three = on_spots(-0.0005, -0.002, 0, -0.001, -0.005)
-lamp_normal = dict.fromkeys(["courtyard", "room"], [0, 0.03, 0.01])
+lamp_normal = dict.fromkeys(on_points, [0, 0.03, 0.01, 0.005, 0.02])
 constant = "shadow.constant-bias"
 factor = "shadow.polygon-offset-factor"
 units = "shadow.polygon-offset-units"
@@ -133,7 +134,7 @@ cases = [
          on_spots(0.0005, 0.002, 0.0001, 0.001, 0.004),
          lamp([*lamp_of_babylon, "--engine.filter", "pcf"], [*near, "--shadow.depth-far", "30"], lambda bias: f"{bias / 2:.6g}depth"), "spot"),
     Case("Babylon.js, filter none, point light", "babylon", "babylon-none-point", "bias", constant,
-         dict.fromkeys(["courtyard", "room"], [0.001, 0.003, 0.0002, 0.0005, 0.002]),
+         dict.fromkeys(on_points, [0.001, 0.003, 0.0002, 0.0005, 0.002]),
          lamp(lamp_of_babylon, near, lambda bias: f"{30.5 * bias:.6g}"), "point"),
     Case("Babylon.js, filter none, point light, normalBias", "babylon", "babylon-none-point", "normal-bias", caster,
          {"courtyard": [0, 0.01, 0.03]},
@@ -149,9 +150,9 @@ cases = [
          spot_of_playcanvas("--engine.clustered-lighting", "true", "--engine.shadow-type", "pcf1-32f",
                             ours=("--shadow.resolution", "2040")), "spot", in_suite=False, linked=(units,), size="1920x1080"),
     Case("PlayCanvas, pcf1-32f, point light", "playcanvas", "playcanvas-pcf1-point", "shadow-bias", constant,
-         dict.fromkeys(["courtyard", "room"], [0.05, 0.2, 0.1, 0.15, 0.4]), omni, "point"),
+         dict.fromkeys(on_points, [0.05, 0.2, 0.1, 0.15, 0.4]), omni, "point"),
     Case("PlayCanvas, pcf1-32f, point light, clustered, atlas of 2046²", "playcanvas", "playcanvas-pcf1-point", "shadow-bias",
-         constant, dict.fromkeys(["courtyard", "room"], [0.05, 0.2, 0.1, 0.15, 0.4]), clustered_omni, "point"),
+         constant, dict.fromkeys(on_points, [0.05, 0.2, 0.1, 0.15, 0.4]), clustered_omni, "point"),
 ]
 
 
