@@ -290,6 +290,11 @@ std::string nothing_counted_text(const CountedPixels& counted) {
   return fmt::format("nothing to measure: of {} pixels, {}", all, text);
 }
 
+// Nothing where the sign is within the interval.
+const char* sign_words(const Estimate& error) {
+  return error.lower > 0.0 ? ", too bright" : error.upper < 0.0 ? ", too dark" : "";
+}
+
 void add_without_ao(Presentation& presentation, double error, double mean_truth) {
   const double without = 1.0 - mean_truth;
   if (error < without) {
@@ -356,8 +361,7 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   const std::string of = renderer.empty() ? technique + " radius " + radius : renderer;
   presentation.answers.push_back(
       fmt::format("AO: mean absolute error {}, mean signed error {}{} ({}{}, reference rays {})", text.absolute,
-                  text.with_sign, s.mean_error.value > 0.0 ? ", too bright" : ", too dark",
-                  text.has_interval ? "95 %, over rays; " : "", of, limit));
+                  text.with_sign, sign_words(s.mean_error), text.has_interval ? "95 %, over rays; " : "", of, limit));
   add_without_ao(presentation, s.mae.value, s.mean_truth.value);
   return presentation;
 }

@@ -82,10 +82,10 @@ TEST(AxisEffects, Every_parameter_of_a_technique_is_read_with_some_settings) {
     settings.push_back(technique);
     return is_read(quantity, with(settings), key);
   };
-  const std::vector<std::string> shadow_settings = {"shadow.cascades=2",         "shadow.fit=bounds",
-                                                    "shadow.split-range=camera", "shadow.pancaking=true",
-                                                    "shadow.surface=dual",       "shadow.depth-encoding=perspective",
-                                                    "shadow.filter=box",         "shadow.contact-shadows=true"};
+  const std::vector<std::string> shadow_settings = {
+      "shadow.cascades=2",     "shadow.fit=bounds",           "shadow.split-range=camera",
+      "shadow.pancaking=true", "shadow.surface=dual",         "shadow.depth-encoding=perspective",
+      "shadow.filter=box",     "shadow.contact-shadows=true", "shadow.receiver-precision=single"};
   // What a single map reads that is fitted to the view.
   const std::vector<std::string> view_settings = {"shadow.fit=view", "shadow.warp=lispsm", "shadow.split-range=camera",
                                                   "shadow.cascade-selection=depth", "shadow.normal-offset=1"};

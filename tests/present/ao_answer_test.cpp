@@ -27,18 +27,19 @@ TEST(AoAnswer, Absolute_and_signed_error_have_the_digits_of_the_wider_interval) 
   error.mean_error = {-0.089738, -0.08976, -0.089716};
   EXPECT_EQ(
       present_ao({}, ao).answers.at(0),
-      "AO: mean absolute error 10.645 to 10.752 %, mean signed error −8.974 ± 0.002 % (95 %, over rays; SSAO radius 50 "
-      "cm, reference rays up to 50 cm)");
+      "AO: mean absolute error 10.645 to 10.752 %, mean signed error −8.974 ± 0.002 %, too dark (95 %, over rays; SSAO "
+      "radius 50 cm, reference rays up to 50 cm)");
   // An interval so much narrower that it would read as ± 0.00.
   error.mae = {0.064, 0.0637, 0.0658};
-  EXPECT_NE(present_ao({}, ao).answers.at(0).find("6.37 to 6.58 %, mean signed error −8.97 % ("), std::string::npos)
+  EXPECT_NE(present_ao({}, ao).answers.at(0).find("6.37 to 6.58 %, mean signed error −8.97 %, too dark ("),
+            std::string::npos)
       << present_ao({}, ao).answers.at(0);
   // An exact reference: no interval.
   error.mae = {0.107503, 0.107503, 0.107503};
   error.mean_error = {0.089738, 0.089738, 0.089738};
-  EXPECT_EQ(
-      present_ao({}, ao).answers.at(0),
-      "AO: mean absolute error 10.8 %, mean signed error +8.97 % (SSAO radius 50 cm, reference rays up to 50 cm)");
+  EXPECT_EQ(present_ao({}, ao).answers.at(0),
+            "AO: mean absolute error 10.8 %, mean signed error +8.97 %, too bright (SSAO radius 50 cm, reference rays "
+            "up to 50 cm)");
 }
 
 TEST(AoAnswer, An_error_stands_beside_that_of_no_ambient_occlusion) {
@@ -84,11 +85,12 @@ TEST(AoAnswer, A_stage_that_changes_more_than_the_error_is_said_to_be_undone_in_
   thin.mean.value = -0.05;
   thin.rms.value = 0.2;
   EXPECT_EQ(present_ao_stages({}, ao).lines.at(0),
-            "AO by stage: thin changes most: mean −5.00 %, RMS 20.0 %, partly undone by other stages; all stages "
+            "AO by stage: the stage 'thin' changes AO most: mean −5.00 %, RMS 20.0 %, partly undone by other stages; "
+            "all stages "
             "together: RMS 10.0 %");
   thin.rms.value = 0.05;
   EXPECT_EQ(present_ao_stages({}, ao).lines.at(0),
-            "AO by stage: thin changes most: mean −5.00 %, RMS 5.00 %; all stages together: RMS 10.0 %");
+            "AO by stage: the stage 'thin' changes AO most: mean −5.00 %, RMS 5.00 %; all stages together: RMS 10.0 %");
 }
 
 }  // namespace
