@@ -132,9 +132,8 @@ constexpr const char* weighted_meaning =
     "quartiles)";
 
 constexpr const char* few_edges =
-    "note: few edges pass from below 0.1 to above 0.9 in both images, as those of shadow masks do: edge metrics of "
-    "others "
-    "say little";
+    "note: few edges pass from below 0.1 to above 0.9 in both images, as those of shadow masks do: "
+    "edge metrics of others say little";
 
 constexpr const char* squared_maps = "map of rmse, psnr and edge-roughness: squares, in the square of the unit";
 
