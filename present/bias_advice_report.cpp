@@ -60,10 +60,10 @@ std::string advice_text(const BiasAdvice& advice) {
                        shows_acne && little ? ", acne at most 0.1 % from " + bias_text(advice, *little) : "");
   }
   const std::string range = range_text(advice.plateau, advice.unit, "error", percent(advice.plateau.least.mae));
-  const auto acne_left = [&](const BiasCell& cell) {
+  const auto acne_left = [&](const BiasCell& cell, const std::string& before) {
     if (cell.acne <= little_acne_share) return std::string();
     const std::optional<BiasCell>& little = advice.line.little_acne;
-    return fmt::format("; acne {}, {}", percent(cell.acne),
+    return fmt::format("; acne {}{}, {}", before, percent(cell.acne),
                        little ? fmt::format("at most 0.1 % from {}, at an error of {}", bias_text(advice, *little),
                                             percent(little->mae))
                               : "and more than 0.1 % at every bias");
@@ -72,14 +72,15 @@ std::string advice_text(const BiasAdvice& advice) {
     const bool is_in_range =
         used.constant >= advice.plateau.first.constant && used.constant <= advice.plateau.last.constant;
     return fmt::format("keep bias {}: error {}; {}{}{}", bias_text(advice, used), percent(used.mae), range,
-                       is_in_range ? "" : ", and so is this one", acne_left(used));
+                       is_in_range ? "" : ", and so is this one", acne_left(used, ""));
   }
   // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= advice.plateau.limit;
   return fmt::format("use bias {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended),
                      reason_text(advice.plateau, is_for_acne),
                      is_for_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
-                     percent(used.mae), percent(recommended.mae), range, acne_left(recommended));
+                     percent(used.mae), percent(recommended.mae), range,
+                     acne_left(recommended, is_for_acne ? "" : percent(used.acne) + " → "));
 }
 
 ReportTable advice_table(const BiasAdvice& advice) {

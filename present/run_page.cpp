@@ -38,7 +38,8 @@ Presentation present_cell(const RunResults& results, const std::string& cell) {
     ShadowMeasurement shadow = measurement.shadows.front();
     if (shadow.advice) {
       engines = std::exchange(shadow.advice->engines, {});
-      converted = fmt::format("bias recommended for the cell of least error, {},", named_bias_text(*shadow.advice));
+      converted = fmt::format("bias that compare recommends at the other settings of the cell of least error, {},",
+                              named_bias_text(*shadow.advice));
     }
     shadow.advice.reset();
     part = present_shadow(results.scene, layers, shadow);

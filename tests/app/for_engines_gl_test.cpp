@@ -54,8 +54,9 @@ TEST_F(ForEngines, A_sweep_names_the_bias_that_it_converts) {
     if (start == std::string::npos) return std::string();
     return out.substr(start + words.size(), out.find(end, start) - start - words.size());
   };
-  EXPECT_EQ(std::stod(text_after("bias recommended for the cell of least error, ", '(')),
-            std::stod(text_after("    bias = ", '\n')));
+  EXPECT_EQ(
+      std::stod(text_after("bias that compare recommends at the other settings of the cell of least error, ", '(')),
+      std::stod(text_after("    bias = ", '\n')));
 }
 
 TEST_F(ForEngines, One_number_for_all_cascades_is_measured_in_each) {
