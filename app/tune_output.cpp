@@ -129,8 +129,8 @@ void add_caveats(const TuneRun& run, const TuneSummary& summary) {
     for (const TuneCase& each : run.cases) {
       const Experiment used = at_point(each, summary.axes, point_to_use(summary.result).values);
       const SampledError error = measure_ao(*each.stages, used, {}).statistics->error;
-      const double without = 1.0 - error.mean_truth.value;
-      if (error.mae.value >= without) caveats.push_back(each.title + ": " + no_ao_text(without));
+      const std::string warning = no_ao_text(error.mae.value, error.mean_truth.value);
+      if (!warning.empty()) caveats.push_back(each.title + ", with the point to use: " + warning);
     }
   }
   if (first.quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance")) {

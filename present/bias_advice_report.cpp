@@ -39,12 +39,6 @@ std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   return fmt::format("{} ({}{})", metres_text(bias.metres), texels, average);
 }
 
-// " for acne of at most 0.1 %" where that decides between biases of the range.
-const char* reason_text(const BiasPlateau& plateau, bool is_for_acne) {
-  const bool decides = is_for_acne || plateau.recommended.constant > plateau.first.constant;
-  return decides && plateau.has_little_acne() ? " for acne of at most 0.1 %" : "";
-}
-
 }  // namespace
 
 std::string named_bias_text(const BiasAdvice& advice) { return bias_text(advice, named_bias(advice)); }

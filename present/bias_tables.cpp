@@ -157,8 +157,7 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
   }
   const BiasCell& recommended = plateau.recommended;
   std::string text = fmt::format(
-      "use bias {}{}: error {}; {}", bias_text(curves, curve, recommended),
-      plateau.has_little_acne() && recommended.constant > plateau.first.constant ? " for acne of at most 0.1 %" : "",
+      "use bias {}{}: error {}; {}", bias_text(curves, curve, recommended), reason_text(plateau),
       percent(recommended.mae),
       range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis, curves.constants));
   if (!plateau.has_little_acne())

@@ -42,6 +42,11 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
   return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);
 }
 
+const char* reason_text(const BiasPlateau& plateau, bool is_for_acne) {
+  const bool decides = is_for_acne || plateau.recommended.constant > plateau.first.constant;
+  return decides && plateau.has_little_acne() ? " for acne of at most 0.1 %" : "";
+}
+
 std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
   const char* remedy = !evidence.has_floor     ? "--scene.ground adds a floor"
                        : evidence.blocked == 0 ? "choose a view with shadows"

@@ -20,6 +20,10 @@ inline constexpr const char* only_of_axis = "only this bias of the axis";
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
                        const char* only = "only this bias", const std::vector<double>& axis = {});
 
+/// " for acne of at most 0.1 %" where that decides which bias is recommended: between those of the range, or, with
+/// `is_for_acne`, against the bias in use.
+const char* reason_text(const BiasPlateau& plateau, bool is_for_acne = false);
+
 /// Why no bias is recommended and what to do: "no counted pixel is in shadow, so a large bias costs nothing;
 /// --scene.ground adds a floor".
 std::string withheld_text(NoBias reason, const BiasEvidence& evidence);

@@ -261,8 +261,10 @@ std::string filter_warning(const std::string& flag) {
       flag, edge_roughness_metric.name);
 }
 
-std::string no_ao_text(double error_without) {
-  return "no AO at all would be as close to the reference or closer: its error is " + percent(error_without);
+std::string no_ao_text(double error, double mean_truth) {
+  const double without = 1.0 - mean_truth;
+  if (!(error >= without)) return {};
+  return "no AO at all would be as close to the reference or closer: its error is " + percent(without);
 }
 
 bool measures_edges(const std::string& names) { return names.find(edge_roughness_metric.name) != std::string::npos; }
@@ -296,12 +298,12 @@ const char* sign_words(const Estimate& error) {
 }
 
 void add_without_ao(Presentation& presentation, double error, double mean_truth) {
-  const double without = 1.0 - mean_truth;
-  if (error < without) {
+  if (const std::string warning = no_ao_text(error, mean_truth); !warning.empty()) {
+    presentation.answers.push_back("warning: " + warning);
+  } else {
+    const double without = 1.0 - mean_truth;
     presentation.lines.push_back("  without any AO the error would be " + percent(without));
     presentation.section.text += "\n\nWithout any AO the error would be " + percent(without) + ".";
-  } else {
-    presentation.answers.push_back("warning: " + no_ao_text(without));
   }
 }
 

@@ -59,8 +59,9 @@ inline constexpr const char* filter_caution =
 /// The same, for the answers of a sweep or tuning over filters. `flag` measures the edges instead: "--run.metrics".
 std::string filter_warning(const std::string& flag = "--run.metrics");
 
-/// "no AO at all would be as close to the reference or closer: its error is 1.18 %".
-std::string no_ao_text(double error_without);
+/// "no AO at all would be as close to the reference or closer: its error is 1.18 %"; empty where AO is better than
+/// none.
+std::string no_ao_text(double error, double mean_truth);
 
 /// Whether these names of metrics or statistics have the one that shows which filter is best against a hard shadow.
 bool measures_edges(const std::string& names);
