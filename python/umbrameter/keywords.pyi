@@ -75,8 +75,8 @@ class Keywords(TypedDict, total=False):
     """start a directional light's depth range at the receivers, clamp casters before it; true or false. Default: False."""
     shadow_near_offset: float
     """pancaking: from the start of the depth range to the nearest receiver [m]; a number from 0 to 1e+12. Default: 1.0."""
-    shadow_depth_format: Literal['32f', '16f', '24', '16']
-    """format of the shadow map: 32- or 16-bit float, 24- or 16-bit fixed point; 32f, 16f, 24 or 16. Default: 32f."""
+    shadow_depth_format: Literal['32f', '16f', '16f-down', '24', '16']
+    """format of the shadow map: 32- or 16-bit float, that rounded down, 24- or 16-bit fixed point; 32f, 16f, 16f-down, 24 or 16. Default: 32f."""
     shadow_depth_encoding: Literal['linear', 'perspective', 'reversed']
     """depth that the map stores: linear, of a projection matrix, or that reversed; linear, perspective or reversed. Default: linear."""
     shadow_depth_near: float

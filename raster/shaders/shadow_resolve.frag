@@ -77,7 +77,7 @@ void main() {
 #else
   float stored = texelFetch(stored_depth, texel, 0).r;
 #if IS_HALF
-  stored = nearest_half(stored);
+  stored = ROUNDS_DOWN != 0 ? half_below(stored) : nearest_half(stored);
 #endif
   double metres = depth_of(double(stored));
   gl_FragDepth = stored == empty_stored ? empty_depth : float(metres * depth_per_axis_depth(texel) / far_depth);

@@ -159,9 +159,11 @@ void combine_layers(const MapSource& source, const MapLayers& layers, const gl::
 
 void decode_depth_map(const MapSource& source, const gl::Texture& stored, const gl::Texture& linear) {
   const int mapping = depth_mapping(source.params, source.layout);
+  const bool rounds_down = source.params.format == MapDepthFormat::f16_down;
+  const bool is_half = rounds_down || source.params.format == MapDepthFormat::f16;
   gl::Pass pass(source.context, {{"fullscreen.vert", "shadow_resolve.frag"},
                                  defines_of(source, mapping) + define("COMBINES", 0) +
-                                     define("IS_HALF", source.params.format == MapDepthFormat::f16 ? 1 : 0)});
+                                     define("IS_HALF", is_half ? 1 : 0) + define("ROUNDS_DOWN", rounds_down ? 1 : 0)});
   pass.texture("stored_depth", stored);
   draw_depths(source, pass, linear);
 }

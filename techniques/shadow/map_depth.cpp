@@ -11,7 +11,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, 4> depth_format_names{"32f", "16f", "24", "16"};
+constexpr std::array<std::string_view, 5> depth_format_names{"32f", "16f", "16f-down", "24", "16"};
 constexpr std::array<std::string_view, 3> encoding_names{"linear", "perspective", "reversed"};
 constexpr std::array<std::string_view, 2> precision_names{"full", "single"};
 constexpr std::array<std::string_view, 2> comparison_names{"less-equal", "less"};
@@ -35,6 +35,7 @@ double step_of_stored(MapDepthFormat format, double stored) {
     case MapDepthFormat::fixed24:
       return 1.0 / 16777215.0;
     case MapDepthFormat::f16:
+    case MapDepthFormat::f16_down:
       return step_of_float(stored, 11, -13);
     case MapDepthFormat::f32:
       break;
@@ -46,8 +47,10 @@ double step_of_stored(MapDepthFormat format, double stored) {
 
 Parameters describe(MapDepthParams& params) {
   return Description("shadow")
-      .choice("depth-format", params.format, depth_format_names,
-              {.unit = {}, .meaning = "format of the shadow map: 32- or 16-bit float, 24- or 16-bit fixed point"})
+      .choice(
+          "depth-format", params.format, depth_format_names,
+          {.unit = {},
+           .meaning = "format of the shadow map: 32- or 16-bit float, that rounded down, 24- or 16-bit fixed point"})
       .choice("depth-encoding", params.encoding, encoding_names,
               {.unit = {}, .meaning = "depth that the map stores: linear, of a projection matrix, or that reversed"})
       .field("depth-near", params.near_depth,

@@ -24,12 +24,23 @@ SHARED double decode_over_w(int mapping, double stored, double w, dvec2 warp_dep
   return warp_depths.x + from_middle * w / warp_depths.y;
 }
 
-/// The nearest 16-bit float, ties to even, of a number from 0 to 1: 11 significant binary digits, and none below 2^-24.
-SHARED float nearest_half(float stored) {
+/// The binary exponent of the last digit of a number from 0 to 1 as a 16-bit float: 11 significant digits, none below 2^-24.
+SHARED int last_digit_of_half(float stored) {
   int exponent;
   frexp(stored, exponent);
-  int last_digit = max(exponent, -13) - 11;
+  return max(exponent, -13) - 11;
+}
+
+/// The nearest 16-bit float of a number from 0 to 1, ties to even.
+SHARED float nearest_half(float stored) {
+  int last_digit = last_digit_of_half(stored);
   return ldexp(roundEven(ldexp(stored, -last_digit)), last_digit);
+}
+
+/// The largest 16-bit float that is not above the number.
+SHARED float half_below(float stored) {
+  int last_digit = last_digit_of_half(stored);
+  return ldexp(floor(ldexp(stored, -last_digit)), last_digit);
 }
 
 /// The depth of a stored number.

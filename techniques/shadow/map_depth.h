@@ -11,6 +11,7 @@ namespace umbrameter {
 namespace shared {
 
 using glm::floatBitsToUint;
+using glm::floor;
 using glm::frexp;
 using glm::ldexp;
 using glm::max;
@@ -35,8 +36,9 @@ inline constexpr int DEPTH_REVERSED_OVER_W = 5;
 
 }  // namespace shared
 
-/// OpenGL has no depth texture of 16-bit floats: f16 is drawn as f32 and rounded by nearest_half() when it is read.
-enum class MapDepthFormat : int { f32, f16, fixed24, fixed16 };
+/// OpenGL has no depth texture of 16-bit floats: f16 and f16_down are drawn as f32 and rounded by nearest_half() and
+/// half_below() when they are read.
+enum class MapDepthFormat : int { f32, f16, f16_down, fixed24, fixed16 };
 /// perspective and reversed are those of a projection matrix: of an orthographic one, perspective is linear, too, and
 /// of a warped one the depth over w.
 enum class DepthEncoding : int { linear, perspective, reversed };

@@ -15,8 +15,8 @@ namespace {
 using namespace testing_scenes;
 using test::to_metres;
 
-constexpr MapDepthFormat formats[] = {MapDepthFormat::f32, MapDepthFormat::f16, MapDepthFormat::fixed24,
-                                      MapDepthFormat::fixed16};
+constexpr MapDepthFormat formats[] = {MapDepthFormat::f32, MapDepthFormat::f16, MapDepthFormat::f16_down,
+                                      MapDepthFormat::fixed24, MapDepthFormat::fixed16};
 constexpr DepthEncoding encodings[] = {DepthEncoding::linear, DepthEncoding::perspective, DepthEncoding::reversed};
 
 TEST_F(MapDepthGl, Every_format_and_encoding_rounds_to_its_step) {
@@ -34,7 +34,8 @@ TEST_F(MapDepthGl, Every_format_and_encoding_rounds_to_its_step) {
         // along the face's axis has another exponent than that of the radial depth.
         const bool is_coarse = encoding == DepthEncoding::perspective && is_projective(layout.kind);
         const bool is_uneven = encoding == DepthEncoding::reversed && layout.kind == MapKind::cube;
-        if (format == MapDepthFormat::f16 && (is_coarse || is_uneven)) continue;
+        const bool is_half = format == MapDepthFormat::f16 || format == MapDepthFormat::f16_down;
+        if (is_half && (is_coarse || is_uneven)) continue;
         const MapDepthParams params = stored_as(format, encoding, 0.05);
         const ShadowMapImages map = draw(scene, light, layout, params);
         double largest = 0.0;
@@ -47,17 +48,18 @@ TEST_F(MapDepthGl, Every_format_and_encoding_rounds_to_its_step) {
             const double step = along_axis * depth_step(params, layout, expected);
             // A shader's depth, and the one that is read back, are 32-bit floats, whose steps are those of 24 bits. An
             // H200 computes the depths of a 16-bit buffer with 20 bits: 1/16 of a step.
-            const double bound = format == MapDepthFormat::fixed24   ? 1.5
-                                 : format == MapDepthFormat::fixed16 ? 0.505 + 1.0 / 16.0
-                                                                     : 0.505;
+            const double bound = format == MapDepthFormat::fixed24    ? 1.5
+                                 : format == MapDepthFormat::fixed16  ? 0.505 + 1.0 / 16.0
+                                 : format == MapDepthFormat::f16_down ? 1.005
+                                                                      : 0.505;
             EXPECT_NEAR(found, expected, bound * step + rounding)
                 << "format " << static_cast<int>(format) << ", encoding " << static_cast<int>(encoding) << ", view "
                 << view << ", texel " << i << ", off by " << std::abs(found - expected) / step << " steps";
             largest = std::max(largest, std::abs(found - expected) / step);
           }
         }
-        if (format == MapDepthFormat::fixed16 || format == MapDepthFormat::f16) {
-          EXPECT_GT(largest, 0.4 / along_axis);
+        if (format == MapDepthFormat::fixed16 || is_half) {
+          EXPECT_GT(largest, (format == MapDepthFormat::f16_down ? 0.9 : 0.4) / along_axis);
         }
       }
     }
@@ -113,20 +115,33 @@ TEST(MapDepth, A_16_bit_float_is_the_nearest_one) {
   EXPECT_EQ(shared::nearest_half(1.0f), 1.0f);
 }
 
+TEST(MapDepth, A_16_bit_float_is_rounded_down) {
+  EXPECT_EQ(shared::half_below(0x1.003ffep-1f), 0x1.0p-1f);  // between 0x1.000p-1 and 0x1.004p-1
+  EXPECT_EQ(shared::half_below(0x1.004p-1f), 0x1.004p-1f);
+  EXPECT_EQ(shared::half_below(0.1f), 0x1.998p-4f);  // 0x1.99999ap-4
+  EXPECT_EQ(shared::half_below(0x1.fffffep-1f), 0x1.ffcp-1f);
+  EXPECT_EQ(shared::half_below(0x1.8p-24f), 0x1p-24f);  // below 2^-14 in steps of 2^-24
+  EXPECT_EQ(shared::half_below(0.0f), 0.0f);
+  EXPECT_EQ(shared::half_below(1.0f), 1.0f);
+}
+
 TEST_F(MapDepthGl, A_map_of_16_bit_floats_is_that_of_32_bit_ones_rounded) {
   const Scene scene = make_floor();
   for (const Light& light : lights()) {
     const MapLayout layout = fit_light(light, bounds_of(scene), 64);
     const ShadowMapImages exact = draw(scene, light, layout);
-    const ShadowMapImages map = draw(scene, light, layout, stored_as(MapDepthFormat::f16, DepthEncoding::linear));
-    std::size_t rounded = 0;
-    for (std::size_t view = 0; view < map.depth.size(); ++view) {
-      for (std::size_t i = 0; i < map.depth[view].size(); ++i) {
-        ASSERT_EQ(map.depth[view][i], shared::nearest_half(exact.depth[view][i])) << exact.depth[view][i];
-        if (map.depth[view][i] != exact.depth[view][i]) ++rounded;
+    for (const auto& [format, half] : {std::pair(MapDepthFormat::f16, &shared::nearest_half),
+                                       std::pair(MapDepthFormat::f16_down, &shared::half_below)}) {
+      const ShadowMapImages map = draw(scene, light, layout, stored_as(format, DepthEncoding::linear));
+      std::size_t rounded = 0;
+      for (std::size_t view = 0; view < map.depth.size(); ++view) {
+        for (std::size_t i = 0; i < map.depth[view].size(); ++i) {
+          ASSERT_EQ(map.depth[view][i], half(exact.depth[view][i])) << exact.depth[view][i];
+          if (map.depth[view][i] != exact.depth[view][i]) ++rounded;
+        }
       }
+      EXPECT_GT(rounded, 1000u);
     }
-    EXPECT_GT(rounded, 1000u);
   }
 }
 
@@ -193,7 +208,7 @@ TEST_F(MapDepthGl, The_measured_unit_of_the_polygon_offset_is_the_shift_that_is_
         const double shifted = depth_at_middle();
         const int mapping = depth_mapping(params, layout);
         const double stored = shared::encode_depth(mapping, depth, 0.5, 5.0);
-        const bool is_float = format == MapDepthFormat::f32 || format == MapDepthFormat::f16;
+        const bool is_float = format != MapDepthFormat::fixed24 && format != MapDepthFormat::fixed16;
         const double scale = is_float ? std::exp2(std::ilogb(stored) + 1) : 1.0;
         const double shift = params.polygon_offset_units * unit * scale;
         const bool is_reversed = encoding == DepthEncoding::reversed;
