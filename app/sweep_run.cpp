@@ -153,7 +153,12 @@ ExitCode write_sweep(SweepRun& sweep, const ResultsStore& store, RunFolder& fold
   results.full_images = line.full_images;
   results.sweep = SweepFindings{ao_limit, best_rows(rows), read_bias_curves(rows, measure_context)};
   SweepFindings& found = *results.sweep;
-  PageCells page_cells = choose_page_cells(stages, rows, experiment, found.best, line.page_cells);
+  const std::vector<Value> least = least_row(rows);
+  const BiasCurve* answer = found.curves ? curve_of_cell(*found.curves, rows.plan, least) : nullptr;
+  const bool has_answer = answer != nullptr && answer->plateau;
+  Experiment of_cells = experiment;
+  if (has_answer) of_cells.run.for_engines.clear();  // else its numbers are those of each cell's own bias
+  PageCells page_cells = choose_page_cells(stages, rows, of_cells, found.best, line.page_cells);
   found.cells = page_cells.cells;
   found.images.title = "Images of cells";
   {
@@ -172,6 +177,13 @@ ExitCode write_sweep(SweepRun& sweep, const ResultsStore& store, RunFolder& fold
   if (!given.run.for_engines.empty() && !results.measurement->shadows.front().advice) {
     const ShadowMeasurement& best = results.measurement->shadows.front();
     stages.add_notes({no_engines_text(stages, best.experiment, best.light)});
+  } else if (!given.run.for_engines.empty() && has_answer && answer->withheld) {
+    stages.add_notes({"--for: nothing to convert, as no bias is recommended"});
+  } else if (has_answer && results.measurement->shadows.front().advice) {
+    Experiment used = cell_in_metres(stages, experiment, axes, least);
+    used.shadow.bias.constant.number = answer->plateau->recommended.constant;
+    ShadowMeasurement& shadow = results.measurement->shadows.front();
+    shadow.advice->engines = advise_engines(stages, used, shadow.light);
   }
   results.notes = stages.notes();
   RunOutput output;

@@ -15,6 +15,7 @@
 #include "reports/figures/error_image.h"
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
+#include "store/read_bias_curves.h"
 #include "store/run_value.h"
 
 namespace umbrameter {
@@ -22,8 +23,21 @@ namespace {
 
 constexpr std::size_t max_table_cells = 20'000;
 
+// The bias that a sweep converts for engines: that of its own answer, if it varies the bias.
+std::string converted_bias(const RunResults& results, const SweepResults& rows, const BiasAdvice& advice) {
+  const std::optional<BiasCurves>& curves = results.sweep->curves;
+  const BiasCurve* curve = curves ? curve_of_cell(*curves, rows.plan, least_row(rows)) : nullptr;
+  if (curve == nullptr || !curve->plateau) {
+    return fmt::format("bias that compare recommends at the other settings of the cell of least error, {},",
+                       named_bias_text(advice));
+  }
+  const std::string setting = setting_text(curves->others, curve->others);
+  return fmt::format("the bias to use{}{}, {},", setting.empty() ? "" : " at ", setting,
+                     bias_text(*curves, *curve, curve->plateau->recommended));
+}
+
 // The cell of least error.
-Presentation present_cell(const RunResults& results, const std::string& cell) {
+Presentation present_cell(const RunResults& results, const SweepResults& rows, const std::string& cell) {
   const Measurement& measurement = *results.measurement;
   const LayeredImage& layers = measurement.layers;
   Presentation part;
@@ -38,8 +52,7 @@ Presentation present_cell(const RunResults& results, const std::string& cell) {
     ShadowMeasurement shadow = measurement.shadows.front();
     if (shadow.advice) {
       engines = std::exchange(shadow.advice->engines, {});
-      converted = fmt::format("bias that compare recommends at the other settings of the cell of least error, {},",
-                              named_bias_text(*shadow.advice));
+      converted = converted_bias(results, rows, *shadow.advice);
     }
     shadow.advice.reset();
     part = present_shadow(results.scene, layers, shadow);
@@ -63,7 +76,7 @@ void present_rows(RunPage& page, const RunResults& results, const SweepResults& 
     page.sweep->least.emplace_back(rows.plan.axes[a].key, least[a]);
   }
   page.parts.push_back(present_sweep(rows, sweep.best, sweep.curves, page.sweep->open_ends));
-  page.parts.push_back(present_cell(results, cell_text(rows, least)));
+  page.parts.push_back(present_cell(results, rows, cell_text(rows, least)));
   page.parts.push_back(present_picture(results.measurement->layers));
   page.viewer = sweep.images;
 }

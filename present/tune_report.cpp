@@ -62,13 +62,8 @@ std::string comparison(const TuneSummary& summary, const char* what, const TuneP
   if (best.score.is_kept() && !other.score.is_kept()) {
     verdict += fmt::format("; the {} breaks a constraint that the best point keeps", what);
   }
-  // A bias in the unit of another axis has no number here.
-  const bool has_numbers = std::ranges::none_of(other.values, [](const Value& each) {
-    const auto* number = std::get_if<double>(&each);
-    return number != nullptr && std::isnan(*number);
-  });
-  return fmt::format("{}{}: {}; {}", what, has_numbers ? ", " + point_text(summary.axes, other.values) : "",
-                     cost_text(goal, other.score.cost), verdict);
+  return fmt::format("{}, {}: {}; {}", what, point_text(summary.axes, other.values), cost_text(goal, other.score.cost),
+                     verdict);
 }
 
 Table case_table(const TuneSummary& summary) {

@@ -56,7 +56,10 @@ std::string value_text(const TuneAxis& axis, const Value& value) {
   // The tuned file has all digits; values that differ in the fourth cost the same.
   std::string text = number != nullptr ? with_minus(fmt::format("{:.{}g}", *number, std::abs(*number) < 100.0 ? 3 : 5))
                                        : to_string(value);
-  if (number != nullptr && std::isnan(*number)) return "its default, in another unit";
+  // A length in another unit than the axis's.
+  if (number == nullptr && !axis.is_word()) {
+    if (const std::optional<Length> length = parse_length(text)) return length_text(*length);
+  }
   const std::string& unit = axis.axis.unit;
   if (number != nullptr && std::isfinite(*number) && unit == "m") return metres_text(*number);
   return axis.is_word() ? text : with_unit(text, unit);

@@ -144,4 +144,11 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep, const Meas
   return curves;
 }
 
+const BiasCurve* curve_of_cell(const BiasCurves& curves, const SweepPlan& plan, const std::vector<Value>& values) {
+  std::vector<Value> others;
+  for (const std::size_t a : outer_axes_as_given(plan)) others.push_back(values[a]);
+  const auto found = std::ranges::find(curves.curves, others, &BiasCurve::others);
+  return found == curves.curves.end() ? nullptr : &*found;
+}
+
 }  // namespace umbrameter

@@ -25,4 +25,7 @@ using MeasureBiasContext = std::function<BiasContext(const std::vector<Value>& v
 /// Without `measure`, depths are not converted and there are no formulas.
 std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep, const MeasureBiasContext& measure = {});
 
+/// The curve of a cell with these values of the plan's axes; nullptr if it was not read.
+const BiasCurve* curve_of_cell(const BiasCurves& curves, const SweepPlan& plan, const std::vector<Value>& values);
+
 }  // namespace umbrameter

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/error.h"
 
@@ -123,7 +122,7 @@ Value present_value(const Parameters& parameters, const TuneAxis& axis) {
   const Parameter& parameter = require(parameters, axis.key());
   if (const auto* const* length = std::get_if<Length*>(&parameter.field)) {
     if ((*length)->unit == axis.axis.length_unit) return (*length)->number;
-    return (*length)->number == 0.0 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    return (*length)->number == 0.0 ? Value(0.0) : Value(to_string(**length));
   }
   return parameter.value();
 }

@@ -31,7 +31,8 @@ Value value_at(const TuneAxis& axis, double position);
 /// The position of a value; outside 0 to 1 if it is beyond the ends; of a word its place in the list, −1 if not listed.
 double position_of(const TuneAxis& axis, const Value& value);
 
-/// The parameter's present value in the unit of the axis: the number of a Length. NaN if it has another unit.
+/// The parameter's present value in the unit of the axis: the number of a Length, or "1.5texels" if it has another
+/// unit.
 Value present_value(const Parameters& parameters, const TuneAxis& axis);
 
 }  // namespace umbrameter

@@ -42,11 +42,10 @@ TEST_F(ForEngines, Rounded_numbers_are_measured_again) {
               error_of(compare({"--shadow.constant-bias", "0", "--shadow.faces", "back"})), 1e-12);
 }
 
-// The cell of least error has another bias than the one that its curve recommends.
-TEST_F(ForEngines, A_sweep_names_the_bias_that_it_converts) {
+TEST_F(ForEngines, A_sweep_converts_the_bias_of_its_own_answer) {
   const std::string out =
       run_program({"sweep", "courtyard", "--light", "sun", "--size", "160x90", "--no-figures", "--vary",
-                   "shadow.constant-bias=1texels,1.5texels", "--for", "texels", "-o", folder_ / "sweep"})
+                   "shadow.constant-bias=1texels,1.5texels,3texels", "--for", "texels", "-o", folder_ / "sweep"})
           .out;
   const auto text_after = [&](const std::string& words, char end) {
     const std::size_t start = out.find(words);
@@ -54,9 +53,20 @@ TEST_F(ForEngines, A_sweep_names_the_bias_that_it_converts) {
     if (start == std::string::npos) return std::string();
     return out.substr(start + words.size(), out.find(end, start) - start - words.size());
   };
-  EXPECT_EQ(
-      std::stod(text_after("bias that compare recommends at the other settings of the cell of least error, ", '(')),
-      std::stod(text_after("    bias = ", '\n')));
+  const double converted = std::stod(text_after("    bias = ", '\n'));
+  EXPECT_EQ(std::stod(text_after("use bias ", 't')), converted);
+  EXPECT_EQ(std::stod(text_after("the bias to use, ", 't')), converted);
+}
+
+// Without an axis of the bias there is no answer of its own.
+TEST_F(ForEngines, A_sweep_of_other_axes_names_the_bias_that_it_converts) {
+  const std::string out =
+      run_program({"sweep", "courtyard", "--light", "sun", "--size", "160x90", "--no-figures", "--vary",
+                   "shadow.resolution=512,1024", "--for", "texels", "-o", folder_ / "resolutions"})
+          .out;
+  EXPECT_NE(out.find("bias that compare recommends at the other settings of the cell of least error, "),
+            std::string::npos)
+      << out;
 }
 
 TEST_F(ForEngines, One_number_for_all_cascades_is_measured_in_each) {

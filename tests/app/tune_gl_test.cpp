@@ -258,9 +258,14 @@ TEST_F(Tune, Names_the_bias_that_compare_recommends_where_the_best_point_is_anot
                                        "--no-figures"}))
         .out;
   };
+  const std::string compared = answer({"compare", "courtyard", "--measure", "shadows"});
+  const std::string start = "lantern: use bias ";
+  ASSERT_EQ(compared.find(start), 0u) << compared;
+  const std::string bias = compared.substr(start.size(), compared.find(" (") - start.size());
+  EXPECT_TRUE(bias.ends_with(" texels")) << bias;
   const std::string tuned = answer({"tune", "courtyard", "--vary", "shadow.constant-bias=0texels:8texels"});
-  EXPECT_EQ(tuned.find("use constant-bias 3.28 texels: mean absolute error 0.575 %, acne "), 0u) << tuned;
-  EXPECT_NE(tuned.find("/tuned.toml with constant-bias 3.28 texels; "), std::string::npos) << tuned;
+  EXPECT_EQ(tuned.find("use constant-bias " + bias + ": mean absolute error 0."), 0u) << tuned;
+  EXPECT_NE(tuned.find("/tuned.toml with constant-bias " + bias + "; "), std::string::npos) << tuned;
   const Json tuning = Json::parse(text_of(folder_ / "tune/summary.json"))["tuning"];
   const Json recommended = tuning["recommended_bias"]["recommended"];
   EXPECT_EQ(tuning["recommended"]["cost"], recommended["cost"]);
@@ -274,8 +279,6 @@ TEST_F(Tune, Names_the_bias_that_compare_recommends_where_the_best_point_is_anot
       run_program({"compare", "-c", folder_ / "tune/tuned.toml", "-o", folder_ / "use", "--no-figures"}).exit_code, 0);
   const Json used = Json::parse(text_of(folder_ / "use/summary.json"))["shadows"][0]["statistics"];
   EXPECT_NEAR(used["mae"].get<double>(), recommended["cost"].get<double>(), 1e-12);
-  const std::string compared = answer({"compare", "courtyard", "--measure", "shadows"});
-  EXPECT_EQ(compared.find("lantern: use bias 3.28 texels"), 0u) << compared;
   ASSERT_EQ(run_program({"tune", "courtyard", "--vary", "shadow.constant-bias=0texels:8texels", "-o", folder_ / "page",
                          "--size", "160x90", "--light", "lantern"})
                 .exit_code,

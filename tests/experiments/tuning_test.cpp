@@ -12,6 +12,7 @@
 #include "experiments/tune/tune_journal.h"
 #include "experiments/tune/tune_significance.h"
 #include "present/tune_report.h"
+#include "present/tune_text.h"
 #include "results/tune_goal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -52,6 +53,18 @@ TEST(TuneAxis, Whole_numbers_are_listed) {
   EXPECT_EQ(samples.axis.values,
             (std::vector<Value>{std::int64_t{4}, std::int64_t{5}, std::int64_t{6}, std::int64_t{7}}));
   EXPECT_EQ(value_at(samples, 0.4), Value(std::int64_t{5}));
+}
+
+TEST(TuneAxis, A_default_in_another_unit_is_named_and_lies_outside) {
+  const TuneAxis metres = axis("shadow.constant-bias", "0.002:0.2");
+  Experiment experiment;
+  experiment.shadow.bias.constant = {1.5, LengthUnit::texels};
+  const Value given = present_value(describe(experiment), metres);
+  EXPECT_EQ(given, Value("1.5texels"));
+  EXPECT_EQ(value_text(metres, given), "1.5 texels");
+  EXPECT_LT(position_of(metres, given), 0.0);
+  experiment.shadow.bias.constant = {0.05, LengthUnit::metres};
+  EXPECT_EQ(present_value(describe(experiment), metres), Value(0.05));
 }
 
 TEST(TuneAxis, Of_a_sweep_keeps_its_values_and_words_have_no_order) {
