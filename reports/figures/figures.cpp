@@ -216,6 +216,10 @@ std::vector<std::string> write_figures(const fs::path& folder, const std::vector
     write_plot(folder, plot, zoom, written[images.size() + i]);
     count_one();
   });
+  if (!figures.empty() && !has_fonts()) {
+    of_plots.problems.push_back(
+        "figures: their PDF and PNG have boxes for letters: no font is installed; install fonts-dejavu-core");
+  }
   return collect_problems(written, images.size(), std::move(of_plots.problems));
 }
 

@@ -2,6 +2,7 @@
 
 #include <cairo-pdf.h>
 #include <fmt/format.h>
+#include <fontconfig/fontconfig.h>
 #include <librsvg/rsvg.h>
 
 #include <algorithm>
@@ -163,6 +164,12 @@ std::string SvgDrawing::to_pdf(const std::vector<ImageBelow>& images) const {
   std::vector<const DeflatedImage*> pictures;
   for (const ImageBelow& image : images) pictures.push_back(image.image);
   return with_images(pdf, pictures);
+}
+
+bool has_fonts() {
+  const Owned<FcConfig> config(FcInitLoadConfigAndFonts(), &FcConfigDestroy);
+  const FcFontSet* fonts = config ? FcConfigGetFonts(config.get(), FcSetSystem) : nullptr;
+  return fonts != nullptr && fonts->nfont > 0;
 }
 
 }  // namespace umbrameter

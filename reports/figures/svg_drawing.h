@@ -38,4 +38,7 @@ class SvgDrawing {
   std::shared_ptr<Handle> handle_;
 };
 
+/// Whether any font is installed. Without one, letters are drawn as boxes, whose widths are left to chance.
+bool has_fonts();
+
 }  // namespace umbrameter

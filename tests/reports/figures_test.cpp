@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
+#include <fstream>
 #include <limits>
 
 #include "core/error.h"
@@ -13,6 +13,7 @@
 #include "reports/files/png.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/text.h"
+#include "tests/support/variable.h"
 
 namespace umbrameter {
 namespace {
@@ -48,28 +49,6 @@ PlotFigure curve_figure(int count = 20) {
   }
   return figure;
 }
-
-// Sets a variable of the environment while it lives.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    setenv(name, value.c_str(), 1);
-  }
-  ~Variable() {
-    if (before_) {
-      setenv(name_, before_->c_str(), 1);
-    } else {
-      unsetenv(name_);
-    }
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
 
 TEST(Figures, Each_is_written_as_svg_pdf_and_png) {
   const TemporaryFolder folder;
@@ -154,6 +133,16 @@ TEST(Figures, A_machine_without_node_gets_the_images_and_is_told_what_to_install
   EXPECT_TRUE(contains(problems[0], "install nodejs")) << problems[0];
   for (const char* name : {"ramp.svg", "ramp.pdf", "ramp.png"}) EXPECT_TRUE(fs::exists(folder / "figures" / name));
   EXPECT_EQ(count_files(folder / "figures"), 3u);
+}
+
+TEST(Figures, A_machine_without_fonts_is_told_what_to_install) {
+  const TemporaryFolder folder;
+  const fs::path settings = folder / "fonts.conf";
+  std::ofstream(settings) << "<fontconfig><dir>" << (folder / "none").string() << "</dir></fontconfig>";
+  const Variable fonts("FONTCONFIG_FILE", settings.string());
+  const std::vector<std::string> problems = write_figures(folder / "figures", {ramp_figure()});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(contains(problems[0], "no font is installed; install fonts-dejavu-core")) << problems[0];
 }
 
 TEST(Figures, A_drawing_that_cannot_be_read_is_one_problem_and_the_rest_is_drawn) {
