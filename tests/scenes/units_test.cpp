@@ -51,12 +51,12 @@ TEST(Units, Each_size_that_no_scene_has_gets_a_remark_with_its_length_and_the_fl
       {"a fox in centimetres", box(25, 79, 155), "--scene.unit cm", "155 m"},
       {"a person in centimetres", box(60, 175, 40), "--scene.unit cm", "175 m"},
       {"a toy car in metres", box(0.04, 0.03, 0.07), "--scene.unit", "0.07 m"},
-      {"a room in millimetres", box(10000, 2500, 8000), "--scene.unit mm", "1e+04 m"},
-      {"a room in centimetres", box(1000, 270, 800), "--scene.unit cm", "1e+03 m"},
-      {"a room of 8 micrometres", box(8e-6, 2.5e-6, 6e-6), "--scene.unit to its length in metres, such as 1e+06",
+      {"a room in millimetres", box(10000, 2500, 8000), "--scene.unit mm", "side is 10000 m"},
+      {"a room in centimetres", box(1000, 270, 800), "--scene.unit cm", "side is 1000 m"},
+      {"a room of 8 micrometres", box(8e-6, 2.5e-6, 6e-6), "--scene.unit to its length in metres, such as 1000000",
        "8e-06 m"},
-      {"a hall of 37 m in centimetres", box(3700, 1550, 2300), "--scene.unit cm", "3.7e+03 m"},
-      {"a town in kilometres", box(0.02, 0.01, 0.03), "--scene.unit to its length in metres, such as 1e+03", "0.03 m"}};
+      {"a hall of 37 m in centimetres", box(3700, 1550, 2300), "--scene.unit cm", "side is 3700 m"},
+      {"a town in kilometres", box(0.02, 0.01, 0.03), "--scene.unit to its length in metres, such as 1000", "0.03 m"}};
   for (const Doubtful& each : cases) {
     const UnitGuess guess = guess_units(each.bounds);
     EXPECT_NE(guess.verdict, SizeVerdict::credible) << each.what;
