@@ -137,9 +137,9 @@ ProgramHelp program_help(const CLI::App& app) {
 }
 
 std::string meaning_of(const OptionHelp& option) {
-  std::string text = option.meaning;
+  std::string text = option.aliases.empty() ? option.meaning : option.meaning + " (" + option.aliases + ")";
   for (std::size_t i = 0; i < option.choices.size(); ++i) text += (i == 0 ? ": " : ", ") + option.choices[i];
-  return option.aliases.empty() ? text : text + "; " + option.aliases;
+  return text;
 }
 
 const CommandHelp* command_with_most_parameters(const ProgramHelp& program) {

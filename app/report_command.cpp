@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/planned_folder.h"
 #include "app/print_json.h"
 #include "core/lists.h"
 #include "core/parallel.h"
@@ -166,13 +167,13 @@ std::string subtitle_of(const std::vector<StoredRun>& runs, const std::vector<fs
   return joined(runs, ", ", &StoredRun::name) + (is_shared && !views.front().empty() ? ": " + views.front() : "");
 }
 
-Report make_report(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders,
+Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders,
                    const std::vector<PartTables>& parts, const std::vector<ReportSection>& figures) {
   Report report;
   report.title = fmt::format("{}: {}", runs.front().scene, runs.size() > 1 ? "runs side by side" : "a run");
   report.subtitle = subtitle_of(runs, folders);
   report.command = "umbrameter report";
-  for (const StoredRun& run : runs) report.command += " " + run.name;
+  for (const fs::path& folder : folders) report.command += " " + shell_word(fs::proximate(folder, page).string());
   report.command += " -o OUT";
   if (runs.size() > 1) {
     ReportSection section;
@@ -308,7 +309,7 @@ ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
   for (const std::string& text : limits) note(console, text);
   std::fflush(stdout);
   const std::vector<std::string> problems = write_figures(folder.path() / "figures", figures, style, errors);
-  Report report = make_report(runs, line.report.folders, comparison.parts, sections);
+  Report report = make_report(folder.path(), runs, line.report.folders, comparison.parts, sections);
   report.answers = answers;
   report.notes = limits;
   for (std::size_t i = 0; i < runs.size() && !line.no_figures; ++i) {

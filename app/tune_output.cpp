@@ -76,14 +76,18 @@ TuneResult search(TuneRun& run, TuneJournal& journal, const std::filesystem::pat
 
 std::vector<TunePointImages> measure_points(const TuneCase& first, const TuneSummary& summary) {
   Stages& stages = *first.stages;
+  const TuneResult& result = summary.result;
+  const auto at = [&](const TunePoint& point) { return at_point(first, summary.axes, point.values); };
+  const Length best_bias = at(result.best).shadow.bias.constant;
   const auto images = [&](const char* name, const Experiment& experiment, const TunePoint& point) {
+    // The slider of each point stops at the best one's bias, too.
+    std::vector<double> stops;
+    if (experiment.shadow.bias.constant.unit == best_bias.unit) stops.push_back(best_bias.number);
     TunePointImages measured{name, point_text(summary.axes, point.values),
-                             measure_swept(stages, experiment, first.quantity)};
+                             measure_swept(stages, experiment, first.quantity, stops)};
     move_to_layers(stages.facts(), measured.measurement);
     return measured;
   };
-  const TuneResult& result = summary.result;
-  const auto at = [&](const TunePoint& point) { return at_point(first, summary.axes, point.values); };
   std::vector<TunePointImages> all;
   if (result.recommended) all.push_back(images("recommended", at(*result.recommended), *result.recommended));
   all.push_back(images("best", at(result.best), result.best));
@@ -122,7 +126,8 @@ void add_caveats(const TuneRun& run, const TuneSummary& summary) {
     const bool is_hard = std::ranges::any_of(
         run.cases, [](const TuneCase& each) { return !each.stages->is_sampled(each.experiment, each.light); });
     const bool minimizes_edges = measures_edges(joined(run.job.goal.columns, ",", &Column::name));
-    if (is_hard && varies_filter(axes) && !minimizes_edges) caveats.push_back(filter_warning("--minimize"));
+    if (is_hard && varies_filter(axes) && !minimizes_edges)
+      caveats.push_back(filter_warning(filter_remedy("--minimize")));
     if (needs_biases(axes)) caveats.emplace_back(one_bias_warning);
   }
   if (first.quantity == SweptQuantity::ao) {

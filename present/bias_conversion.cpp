@@ -42,7 +42,8 @@ std::string settings_text(const BiasSpec& spec) {
     for (const auto& [name, factor] : setting.choices) {
       if (factor == value) shown += (shown.empty() ? "" : " or ") + std::string(name);
     }
-    if (shown.empty()) shown = fmt::format("{:.6g}{}", value, setting.unit == "m" ? " m" : "");
+    const std::string number = fmt::format("{:.6g}{}", value, setting.unit == "m" ? " m" : "");
+    shown = shown.empty() ? number : setting.unit == "1" ? fmt::format("{} ({})", shown, number) : shown;
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.name, shown);
   }
   return text;

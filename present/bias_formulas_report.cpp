@@ -172,8 +172,9 @@ std::vector<std::vector<Value>> settings_of(const BiasCurves& curves) {
 std::string ranges_text(const BiasFormula& formula) {
   const std::string texels = texel_range(formula.slope);
   const bool is_each = formula.depth_per_texel.values > 1 && texels.find(" to ") == std::string::npos;
-  std::string text = fmt::format("fitted over texel sizes of {}, Δz of {} ({} texels{})", length_range(formula.texel),
-                                 length_range(formula.depth_per_texel), texels, is_each ? " each" : "");
+  std::string text =
+      fmt::format("fitted over texel sizes of {}, Δz of {} ({} times the texel size{})", length_range(formula.texel),
+                  length_range(formula.depth_per_texel), texels, is_each ? " at every point" : "");
   if (printed_term(formula, FormulaTerm::slope_radius))
     text += fmt::format(", r of {} texels", texel_range(formula.radius));
   if (printed_term(formula, FormulaTerm::depth_step)) text += ", δ of " + length_range(formula.depth_step);

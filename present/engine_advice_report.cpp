@@ -12,7 +12,16 @@
 namespace umbrameter {
 namespace {
 
-const std::string no_number = "has no number for this bias";
+// Why an engine's numbers cannot say this bias.
+std::string no_number_text(const EngineAdvice& advice) {
+  for (const BiasConversion& place : advice.target.conversions) {
+    for (const auto& number : place.numbers) {
+      if (number.reason.starts_with(no_formula)) return "not converted: " + number.reason;
+    }
+  }
+  return "has no number for this bias";
+}
+
 const std::string note_mark = "    note: ";
 
 std::string engine_error_text(const EngineAdvice& advice) {
@@ -28,7 +37,7 @@ std::string engine_error_text(const EngineAdvice& advice) {
         fmt::format("; {} {}{}", is_less ? "its default numbers have less error," : "with its default numbers error",
                     error, acne_of(*advice.by_default));
   }
-  if (!is_complete(advice.target)) return no_number + usual;
+  if (!is_complete(advice.target)) return no_number_text(advice) + usual;
   if (!advice.measured) return "error not measured: " + advice.why_not_measured + usual;
   const std::string acne = acne_of(*advice.measured);
   const std::string slope =
@@ -56,6 +65,8 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
 
 std::vector<std::string> notes_with_offset(const EngineAdvice& advice) {
   std::vector<std::string> notes = notes_of(advice.target);
+  // no_number_text() has said it.
+  std::erase_if(notes, [](const std::string& note) { return note.find(no_formula) != std::string::npos; });
   if (!advice.measured && !advice.by_default) return notes;
   const BiasEngine& engine = *advice.target.spec.engine;
   if (engine.polygon_factor > 0.0 || engine.polygon_units > 0.0) {
@@ -111,7 +122,7 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
       if (!set.empty()) set += set.ends_with(';') || set.ends_with(',') ? " " : "; ";
       set += code;
     }
-    table.rows.push_back({title_of(each.target.spec), set.empty() ? no_number : set,
+    table.rows.push_back({title_of(each.target.spec), set.empty() ? no_number_text(each) : set,
                           share(each.measured, &BiasCell::mae), share(each.measured, &BiasCell::acne),
                           share(each.by_default, &BiasCell::mae)});
   }

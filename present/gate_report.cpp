@@ -77,6 +77,14 @@ std::string intervals_text(const GateCheck& check) {
   return is_judged(check) && std::isfinite(check.intervals) ? with_sign(fmt::format("{:.1f}", check.intervals)) : "—";
 }
 
+// The value that uses most of its bound; of bounds at 0 the first.
+const GateCheck& nearest_to_its_bound(const std::vector<GateCheck>& checks) {
+  const auto use_of = [](const GateCheck& check) {
+    return check.bound == 0.0 ? 0.0 : 1.0 + check.excess / std::abs(check.bound);
+  };
+  return *std::ranges::max_element(checks, {}, use_of);
+}
+
 // One row for each check; one for all of a scene that no run shows.
 std::vector<std::vector<std::string>> rows_of(const std::vector<GateCheck>& checks, bool all) {
   std::set<std::string> seen, told;
@@ -129,9 +137,12 @@ std::string gate_answer(const std::vector<GateCheck>& checks) {
   const std::string checked =
       has_several_runs(checks) ? fmt::format("checks in {} runs", count_runs(checks)) : "bounds";
   if (failed == 0) {
-    if (checks.size() > 1) return fmt::format("all {} {} are kept", checks.size(), checked);
-    const GateCheck& check = checks.front();
-    return fmt::format("the bound is kept: {} {}, {}", statistic_text(check), measured_text(check), bound_text(check));
+    const bool has_several = checks.size() > 1;
+    const GateCheck& check = has_several ? nearest_to_its_bound(checks) : checks.front();
+    const std::string start = has_several ? fmt::format("all {} {} are kept; nearest to its bound: {}: ", checks.size(),
+                                                        checked, where_text(check, has_several_runs(checks)))
+                                          : "the bound is kept: ";
+    return fmt::format("{}{} {}, {}", start, statistic_text(check), measured_text(check), bound_text(check));
   }
   const auto unmeasured =
       static_cast<std::size_t>(std::ranges::count_if(checks, [](const GateCheck& check) { return !check.measured; }));

@@ -249,16 +249,30 @@ void add_figure(Presentation& presentation, Figure figure) {
 Presentation present_picture(const LayeredImage& layers) {
   Presentation presentation;
   presentation.section.title = "The view";
-  add_layer_figure(presentation, layers, Layer::picture, {}, "The view, shaded",
-                   "Diffuse shading with the measured visibility and ambient occlusion, for orientation only.");
+  const std::vector<NamedLayer> measured = named_layers(layers);
+  const auto has = [&](Layer layer) {
+    return std::ranges::any_of(measured, [&](const NamedLayer& each) { return each.description->layer == layer; });
+  };
+  const auto of = [&](Layer raster, Layer truth) {
+    return has(raster) ? "the technique's" : has(truth) ? "the reference's" : "none";
+  };
+  std::string text = "The shaded image, for orientation only.";
+  if (!has(Layer::truth_image) && !has(Layer::raster_image)) {
+    text = fmt::format("Diffuse shading, for orientation only. Shadows: {}. Ambient occlusion: {}.",
+                       of(Layer::raster_visibility, Layer::truth_visibility), of(Layer::raster_ao, Layer::truth_ao));
+  }
+  add_layer_figure(presentation, layers, Layer::picture, {}, "The view, shaded", text);
   return presentation;
 }
 
-std::string filter_warning(const std::string& flag) {
-  return fmt::format(
-      "against a hard shadow every blurred pixel is wrong, so the least error does not show which filter is best; give "
-      "the light a size (--light.angle, --light.radius), or use {} {}",
-      flag, edge_roughness_metric.name);
+std::string filter_warning(const std::string& remedy) {
+  return "against a hard shadow every blurred pixel is wrong, so the least error does not show which filter is best; " +
+         remedy;
+}
+
+std::string filter_remedy(const std::string& flag) {
+  return fmt::format("give the light a size (--light.angle, --light.radius), or use {} {}", flag,
+                     edge_roughness_metric.name);
 }
 
 std::string no_ao_text(double error, double mean_truth) {

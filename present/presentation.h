@@ -57,7 +57,8 @@ inline constexpr const char* filter_caution =
     "absolute error always favours no filter: use it to choose a bias or a resolution, not a filter.";
 
 /// The same, for the answers of a sweep or tuning over filters. `flag` measures the edges instead: "--run.metrics".
-std::string filter_warning(const std::string& flag = "--run.metrics");
+std::string filter_warning(const std::string& remedy);
+std::string filter_remedy(const std::string& flag);
 
 /// "no AO at all would be as close to the reference or closer: its error is 1.18 %"; empty where AO is better than
 /// none.

@@ -250,7 +250,7 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
     const std::string warning = no_ao_text(of_ao(error_statistic), of_ao("mean_truth"));
     if (!warning.empty()) answers.push_back(fmt::format("warning: {}: {}", run.name, warning));
   }
-  if (compares_filters(runs, compared)) answers.push_back("warning: " + filter_warning());
+  if (compares_filters(runs, compared)) answers.push_back("warning: " + filter_warning(filter_remedy("--run.metrics")));
   return answers;
 }
 

@@ -247,9 +247,12 @@ std::string error_text(const Table& table, const std::vector<Value>& row) {
 // Whether the cells differ in their filter, and are measured against a hard shadow.
 bool compares_filters(const SweepResults& sweep) {
   return sweep.quantity() == SweptQuantity::visibility &&
-         !std::holds_alternative<SoftVisibilityStatistics>(sweep.statistics) && varies_filter(sweep.plan.axes) &&
-         std::ranges::none_of(sweep.store.description().columns,
-                              [](const StoredColumn& each) { return measures_edges(each.column.name); });
+         !std::holds_alternative<SoftVisibilityStatistics>(sweep.statistics) && varies_filter(sweep.plan.axes);
+}
+
+bool has_edges(const SweepResults& sweep) {
+  return std::ranges::any_of(sweep.store.description().columns,
+                             [](const StoredColumn& each) { return measures_edges(each.column.name); });
 }
 
 // Whether every cell has the same value in each measured column.
@@ -356,7 +359,11 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
       add_without_ao(presentation, to_number(least[mae]), mean_truth);
     }
   }
-  if (ranks_filters) presentation.answers.push_back("warning: " + filter_warning());
+  if (ranks_filters)
+    presentation.answers.push_back(
+        "warning: " + filter_warning(has_edges(sweep)
+                                         ? fmt::format("the column {} of sweep.csv does", edge_roughness_metric.name)
+                                         : filter_remedy("--run.metrics")));
   if (has_one_bias) presentation.answers.push_back("warning: " + std::string(one_bias_warning));
   for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
   if (curves) return presentation;

@@ -19,7 +19,8 @@ bool is_the_cost(const TuneGoal& goal, std::size_t column) {
 
 std::string distance_text(const TuneGoal& goal, const ComparedPoint& compared, double best) {
   if (compared.is_best) return "best";
-  const std::string text = difference_text(goal, compared.point.score.cost - best, compared.difference, "points");
+  const std::string text =
+      difference_text(goal, compared.point.score.cost - best, compared.difference, "percentage points");
   if (!compared.difference) return text + ", not tested";
   if (compared.difference->lower > 0.0) return text + ", worse";
   return text + (compared.difference->upper < 0.0 ? ", better" : ", not significant");
@@ -82,7 +83,7 @@ std::vector<std::string> ranking_lines(const TuneSummary& summary) {
     std::ranges::stable_sort(points, [](const ComparedPoint* one, const ComparedPoint* other) {
       return is_better(one->point.score, other->point.score);
     });
-    std::string line = name_of(summary.axes[a]) + ": ";
+    std::string line = name_of(summary.axes[a]) + (summary.axes.size() > 1 ? ", each at its own best point: " : ": ");
     for (const ComparedPoint* each : points) {
       line += fmt::format("{}{} {}{}", each == points.front() ? "" : ", ",
                           value_text(summary.axes[a], each->point.values[a]),

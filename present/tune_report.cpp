@@ -360,7 +360,7 @@ Presentation present_tuning(const TuneSummary& summary) {
     shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());
     section.tables.push_back({"The best point with each value", compared});
   }
-  section.tables.push_back({"Sensitivity to each parameter, the others at their best values", sensitivity});
+  section.tables.push_back({"Sensitivity to each parameter, the others as in the best point", sensitivity});
   section.tables.push_back({"Each case", case_table(summary)});
   if (objectives_of(goal).size() > 1) {
     section.tables.push_back({"Pareto front", front_table(summary, front)});

@@ -49,8 +49,8 @@ std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
     ends = fmt::format("; within {} wrong pixels", chance_pixels) + ends;
   const std::string outside = outside_text(summary, scan, *range);
   if (range->first == range->second)
-    return (outside.empty() ? "only " : "") + value_text(axis, range->first) + outside + ends;
-  return pair_text(axis, range->first, range->second, " to ") + outside + ends;
+    return (outside.empty() ? "only " : "") + value_text(axis, range->first) + ends + outside;
+  return pair_text(axis, range->first, range->second, " to ") + ends + outside;
 }
 
 // The largest cost along the axis, in multiples of the least.
@@ -100,7 +100,7 @@ Table sensitivity_table(const TuneSummary& summary) {
                {"within 5 %", "",
                 "range around it in which the cost is at most 5 % higher: of a constant bias from its whole "
                 "curve, else of the measured values"},
-               {"highest along it", "", "cost on the measured values of the axis, the others at their best values"}},
+               {"highest along it", "", "cost on the measured values of the axis, the others as in the best point"}},
               {}};
   for (const AxisScan& scan : summary.result.scans) {
     const TuneAxis& axis = summary.axes[scan.axis];

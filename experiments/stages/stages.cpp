@@ -210,7 +210,8 @@ TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, st
   Light lamp = this->light(experiment, light);
   const bool is_over_pixel = reference == Stage::pixel_reference;
   const bool is_hard = reference == Stage::binary_reference;
-  const char* of_what = is_over_pixel ? ", over whole pixels" : is_hard && is_area(lamp) ? ", without its size" : "";
+  const char* of_size = !is_area(lamp) ? "" : is_hard ? ", without its size" : ", with its size";
+  const char* of_what = is_over_pixel ? ", over whole pixels" : of_size;
   if (is_hard) lamp.emitter = std::monostate{};
   ReferenceKey key = reference_key(experiment, reference, "visibility");
   key.light = light_content(lamp);

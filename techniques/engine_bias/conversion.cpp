@@ -21,7 +21,7 @@ std::optional<double> per_unit_of(const BiasSpec& spec, const BiasNumber& number
 std::string why_unknown(const BiasSpec& spec, const BiasNumber& number, const MapPlace& place) {
   const std::optional<double> metres = number.per_unit(place, spec.settings);
   if (!metres) {
-    return "no formula is known here for a " + std::string(light_names[static_cast<int>(place.light)]) + " light";
+    return std::string(no_formula) + " for a " + std::string(light_names[static_cast<int>(place.light)]) + " light";
   }
   for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
     if (!std::isnan(spec.settings.values[i])) continue;

@@ -37,6 +37,9 @@ bool has_terms(const BiasSpec& source, const MapPlace& place);
 /// Throws Error (usage) unless has_terms().
 BiasTerms terms_of(const BiasSpec& source, const MapPlace& place);
 
+/// How the reason starts where an engine has a number, but it is not known here what it means.
+inline constexpr std::string_view no_formula = "no formula is known here";
+
 /// A number of the target, or why there is none.
 struct ConvertedNumber {
   std::optional<double> value;

@@ -87,7 +87,7 @@ BiasEngine godot() {
           "light_storage.cpp @006f039 (update_light_buffers), renderer_scene_cull.cpp (bias_scale, "
           "shadow_texel_size, pancake_size), scene_forward_clustered.glsl (BIAS_FUNC), light_3d.cpp (steps)",
       .numbers = {{"shadow_bias",
-                   "D/100 (point: m)",
+                   "D/100 · blur · quality (point light: m)",
                    0.1,
                    BiasTerm::constant,
                    [](const Place& p, const Settings& s) -> Result {

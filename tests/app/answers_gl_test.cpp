@@ -121,7 +121,9 @@ TEST_F(Answers, An_axis_of_the_reference_is_not_to_be_extended_and_edges_that_ar
                "filters-" + metrics);
   };
   EXPECT_NE(filters("ssim").find("does not show which filter is best"), std::string::npos);
-  EXPECT_EQ(filters("edge-roughness").find("does not show which filter is best"), std::string::npos);
+  const std::string edges = filters("edge-roughness");
+  EXPECT_EQ(edges.find("use --run.metrics"), std::string::npos) << edges;
+  EXPECT_NE(edges.find("; the column edge-roughness of sweep.csv does"), std::string::npos) << edges;
 }
 
 // Without casters no bias of a plane is wrong that is large enough.
@@ -232,6 +234,7 @@ TEST_F(Answers, Where_filters_are_compared_the_page_says_what_the_error_cannot_d
   const std::string hard = run({"sweep", "contact-box", "--light", "0", "--vary", "shadow.filter=nearest,box"});
   constexpr const char* warning = "warning: against a hard shadow every blurred pixel is wrong";
   EXPECT_NE(hard.find(warning), std::string::npos) << hard;
+  EXPECT_NE(hard.find("or use --run.metrics edge-roughness"), std::string::npos) << hard;
   const std::string soft = run({"sweep", "contact-box", "--light", "0", "--light.angle", "4", "--truth.spp", "4",
                                 "--vary", "shadow.filter=nearest,box"},
                                "soft");

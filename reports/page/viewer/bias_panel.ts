@@ -81,7 +81,7 @@ export class BiasPanel {
     this.curve = new Curve(bias, inks, can_move ? (index) => viewer.select_bias(index) : null,
                            (range) => viewer.select_range(range));
     const jumps = make('div', {class: 'buttons'}, jump(`Bias of ${what}`, () => marked_index(bias)),
-                       jump('Least error', () => best_index(bias)));
+                       jump('Least error of all biases', () => best_index(bias)));
     const controls = can_move ? [make('div', {class: 'row'}, slider, jumps)] : [];
     const hint = `A dashed line stays at the bias of ${what} when the slider moves. ` + 'Drag below the curve, or with Shift, to select a range of ' +
       'biases: the bars then show the mean over its biases.' + (can_move
