@@ -82,8 +82,9 @@ std::string symbols_text(std::span<const CurveFormula* const> formulas) {
     if (is_used) text += (text.empty() ? "" : "; ") + std::string(meaning);
   };
   add(has(FormulaTerm::slope) || has(FormulaTerm::slope_radius),
-      "Δz: how much the surface's depth changes from one texel to the next, texel size · tan θ · (|cos ψ| + |sin ψ|), "
-      "with θ between light and normal and ψ the direction of the slope on the map");
+      "Δz: how much a surface's depth changes from one texel to the next, texel size · tan θ · (|cos ψ| + |sin ψ|), "
+      "with θ between light and normal and ψ the direction of the slope on the map; of each point the value that 90 % "
+      "of the counted pixels do not exceed");
   add(has(FormulaTerm::slope_radius), "r: reach of the filter in texels");
   add(has(FormulaTerm::depth_step), "δ: step of the stored depth");
   return text;

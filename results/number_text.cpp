@@ -65,7 +65,10 @@ std::string estimate_text(const Estimate& estimate, std::string_view unit) {
   const std::string of_unit = unit.empty() ? "" : fmt::format(" {}", unit);
   const double half = 0.5 * (estimate.upper - estimate.lower);
   if (!(half > 0.0)) return digits_text(estimate.value) + of_unit;
-  const int decimals = decimals_of(half, 2);
+  int decimals = decimals_of(half, 2);
+  // Where the interval just ends before 0, or just behind it, two digits would not show on which side.
+  const double size = std::abs(estimate.value);
+  for (int more = 0; more < 2 && size != half && rounded(size, decimals) == rounded(half, decimals); ++more) ++decimals;
   if (!is_symmetric(estimate)) {
     return rounded(estimate.lower, decimals) + " to " + rounded(estimate.upper, decimals) + of_unit;
   }

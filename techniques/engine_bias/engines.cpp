@@ -87,14 +87,14 @@ BiasEngine godot() {
           "light_storage.cpp @006f039 (update_light_buffers), renderer_scene_cull.cpp (bias_scale, "
           "shadow_texel_size, pancake_size), scene_forward_clustered.glsl (BIAS_FUNC), light_3d.cpp (steps)",
       .numbers = {{"shadow_bias",
-                   "D/100 · blur · quality (point light: m)",
+                   "(t · resolution + pancake) · blur · quality / 100 (point light: m)",
                    0.1,
                    BiasTerm::constant,
                    [](const Place& p, const Settings& s) -> Result {
                      if (p.light == LightKind::point) return 1.0;
                      return of_sun(p, godot_range(p, s) / 100.0 * s["blur"] * s["quality"]);
                    },
-                   "D/100 · blur · quality with D = t · resolution + pancake; point light: 1 m",
+                   "(t · resolution + pancake) · blur · quality / 100; point light: 1 m",
                    "light.shadow_bias = {}",
                    {},
                    -no_limit,
@@ -224,7 +224,7 @@ Result urp_texel(const Place& place, const Settings& settings) {
   const double share = is_sun(place) ? 1.0 : settings["lightRange"] / (2.0 * place.depth);
   return unless_point(place, settings["soft"] * share * place.texel);
 }
-constexpr std::string_view urp_formula = "t · soft; of spot lights t · soft · lightRange / 2d";
+constexpr std::string_view urp_formula = "t · soft; of spot lights t · soft · lightRange / (2 · depth of the receiver)";
 
 std::vector<BiasEngine> unity() {
   return {

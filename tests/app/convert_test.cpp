@@ -98,9 +98,9 @@ TEST(Convert, The_table_has_every_unit_and_the_code_of_each_engine) {
   const ProgramResult result = convert(
       {"courtyard", "--light", "sun", "--shadow.cascades", "2", "--from", "texels:2", "--to", "three,godot,unity-urp"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  for (const char* word :
-       {"t [m]", "R [m]", "bias [m]", "[texels]", "[of R]", "cascade 2", "D/100 · blur · quality (point light: m)",
-        "csm.lights[1].shadow.bias = -", "light.shadow_bias = ", "light.shadowBias = 2.0f;"}) {
+  for (const char* word : {"t [m]", "R [m]", "bias [m]", "[texels]", "[of R]", "cascade 2",
+                           "(t · resolution + pancake) · blur · quality / 100 (point light: m)",
+                           "csm.lights[1].shadow.bias = -", "light.shadow_bias = ", "light.shadowBias = 2.0f;"}) {
     EXPECT_NE(result.out.find(word), std::string::npos) << word << " in: " << result.out;
   }
   for (const char* word : {"godot, not verified", "polygon offset factor 2.5"}) {

@@ -79,7 +79,7 @@ TEST_F(ForEngines, One_number_for_all_cascades_is_measured_in_each) {
   const double bias = godot.at("numbers").at(0).at("set").at(0);
   EXPECT_EQ(godot.at("numbers").at(1).at("set"), (Json{1.0, 1.0, 1.0}));
   ASSERT_EQ(godot.at("places").size(), 3u);
-  // D/100 · blur · quality with D = t · resolution + pancake, and steps of 0.001.
+  // (t · resolution + pancake) · blur · quality / 100, and steps of 0.001.
   EXPECT_NEAR(bias, std::round(1000 * bias) / 1000, 1e-12);
   std::vector<double> metres;
   for (const Json& place : godot.at("places")) {
