@@ -134,7 +134,7 @@ BiasEngine three() {
           "DirectionalLightShadow.js, examples/jsm/csm/CSM.js",
       .numbers = {{"bias", "of depth", 0.0, BiasTerm::constant,
                    [](const Place& p, const Settings& s) -> Result { return -metres_of_depth(p, s["near"], s["far"]); },
-                   "−(far − near); of spot and point lights −d² (far − near) / (near · far)",
+                   "−(far − near); of spot and point lights −d² (far − near) / (near · far) at depth d",
                    "light.shadow.bias = {};"},
                   {"normalBias",
                    "m",
@@ -159,26 +159,27 @@ BiasEngine babylon() {
       .source =
           "npm @babylonjs/core 9.35.0: shadowMapVertexMetric.js, shadowMapVertexNormalBias.js, "
           "shadowGenerator.js, directionalLight.pure.js",
-      .numbers = {{"bias", "of depth", 5e-5, BiasTerm::constant,
-                   [](const Place& p, const Settings& s) -> Result {
-                     const double near = s["minZ"];
-                     const double far = s["maxZ"];
-                     if (s["filter"] == 1.0 && p.light == LightKind::point) return std::nullopt;
-                     if (s["filter"] == 1.0) return 0.5 * metres_of_depth(p, near, far);
-                     if (p.is_range_given) return p.range;
-                     return p.light == LightKind::point ? near + far : std::max(far - near, 0.0);
-                   },
-                   "maxZ − minZ; filter pcf: half of it, of spot lights d² (maxZ − minZ) / (2 minZ · maxZ); of "
-                   "point lights minZ + maxZ",
-                   "shadowGenerator.bias = {};"},
-                  {"normalBias",
-                   "m × sin θ",
-                   0.0,
-                   BiasTerm::normal,
-                   one_metre,
-                   "1 m",
-                   "shadowGenerator.normalBias = {};",
-                   {OffsetProfile::sine, OffsetSide::caster}}},
+      .numbers =
+          {{"bias", "of depth", 5e-5, BiasTerm::constant,
+            [](const Place& p, const Settings& s) -> Result {
+              const double near = s["minZ"];
+              const double far = s["maxZ"];
+              if (s["filter"] == 1.0 && p.light == LightKind::point) return std::nullopt;
+              if (s["filter"] == 1.0) return 0.5 * metres_of_depth(p, near, far);
+              if (p.is_range_given) return p.range;
+              return p.light == LightKind::point ? near + far : std::max(far - near, 0.0);
+            },
+            "maxZ − minZ; filter pcf: half of it, of spot lights d² (maxZ − minZ) / (2 minZ · maxZ) at depth d; of "
+            "point lights minZ + maxZ",
+            "shadowGenerator.bias = {};"},
+           {"normalBias",
+            "m × sin θ",
+            0.0,
+            BiasTerm::normal,
+            one_metre,
+            "1 m",
+            "shadowGenerator.normalBias = {};",
+            {OffsetProfile::sine, OffsetSide::caster}}},
       .settings = {{"filter", 0.0, "1", "none for all but pcf and contact hardening", {{"none", 0.0}, {"pcf", 1.0}}},
                    {"minZ", 1.0, "m", "the light's shadowMinZ, else the camera's minZ"},
                    {"maxZ", 10000.0, "m", "the light's shadowMaxZ, else the camera's maxZ"}},
