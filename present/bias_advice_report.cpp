@@ -88,10 +88,10 @@ ReportTable advice_table(const BiasAdvice& advice) {
     const auto cause = static_cast<Cause>(c);
     table.columns.push_back({std::string(cause_title(cause)), "%", std::string(cause_meaning(cause))});
   }
-  const auto add_row = [&](const char* name, const BiasCell& cell) {
+  const auto add_row = [&](const std::string& name, const BiasCell& cell) {
     const BiasInUnits bias = in_units(advice, cell);
-    std::vector<Value> row = {std::string(name), digits_text(bias.metres), digits_text(bias.texels),
-                              digits_text(bias.depth), share_text(cell.mae)};
+    std::vector<Value> row = {name, digits_text(bias.metres), digits_text(bias.texels), digits_text(bias.depth),
+                              share_text(cell.mae)};
     for (const double share : shares_of(cell)) row.emplace_back(share_text(share));
     table.rows.push_back(std::move(row));
   };
@@ -100,10 +100,11 @@ ReportTable advice_table(const BiasAdvice& advice) {
   add_row(is_kept ? "in this run: keep it" : "in this run", advice.used);
   if (!advice.withheld && !is_kept) add_row("recommended", advice.plateau.recommended);
   add_row(formula_names[0], advice.plateau.least);
-  add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest bias within 5 % of the least error",
-          advice.plateau.first);
-  add_row(advice.plateau.open_above ? "largest bias tested" : "largest bias within 5 % of the least error",
-          advice.plateau.last);
+  const std::string good = advice.plateau.is_by_pixels
+                               ? fmt::format("within {} wrong pixels of the least error", chance_pixels)
+                               : std::string("within 5 % of the least error");
+  add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest bias " + good, advice.plateau.first);
+  add_row(advice.plateau.open_above ? "largest bias tested" : "largest bias " + good, advice.plateau.last);
   if (advice.line.little_acne) add_row(formula_names[1], *advice.line.little_acne);
   if (advice.line.acne_free) add_row(formula_names[2], *advice.line.acne_free);
   return {"Recommended bias", std::move(table), {"in texels", "in depth"}};

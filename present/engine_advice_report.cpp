@@ -70,24 +70,30 @@ std::vector<std::string> notes_with_offset(const EngineAdvice& advice) {
   if (!advice.measured && !advice.by_default) return notes;
   const BiasEngine& engine = *advice.target.spec.engine;
   if (engine.polygon_factor > 0.0 || engine.polygon_units > 0.0) {
-    notes.push_back(
-        fmt::format("{}: its errors, and the bias that is converted, are those with that polygon offset", engine.name));
+    notes.push_back(fmt::format(
+        "{}: the bias was searched again with that polygon offset, and the errors are those with it", engine.name));
   }
   if (engine.faces != CasterFaces::all) {
     notes.push_back(
-        fmt::format("{}: its errors, and the bias that is converted, are those with {} faces as casters, unless "
-                    "shadow.faces is set",
+        fmt::format("{}: unless shadow.faces is set, the bias was searched again with {} faces as casters, and the "
+                    "errors are those with them",
                     engine.name, engine.faces == CasterFaces::back ? "back" : "front"));
   }
   return notes;
 }
 
-std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, const std::string& what) {
+bool draws_as_the_run(const BiasEngine& engine) {
+  return engine.polygon_factor == 0.0 && engine.polygon_units == 0.0 && engine.faces == CasterFaces::all;
+}
+
+std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, const std::string& what,
+                                      const std::string& bias) {
   std::vector<std::string> lines;
   for (const EngineAdvice& each : engines) {
     const char* rounded = is_complete(each.target) ? ", rounded up" : "";
-    lines.push_back(
-        fmt::format("  {} in {}{}: {}", what, title_of(each.target.spec), rounded, engine_error_text(each)));
+    const bool names_bias = !bias.empty() && draws_as_the_run(*each.target.spec.engine);
+    lines.push_back(fmt::format("  {}{} in {}{}: {}", what, names_bias ? fmt::format(", {},", bias) : "",
+                                title_of(each.target.spec), rounded, engine_error_text(each)));
     for (const std::string& code : shown_numbers(each, true)) lines.push_back("    " + code);
     for (const std::string& note : notes_with_offset(each)) lines.push_back(note_mark + note);
   }
@@ -133,9 +139,10 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
 
 }  // namespace
 
-void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& engines, const std::string& what) {
+void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& engines, const std::string& what,
+                 const std::string& bias) {
   if (engines.empty()) return;
-  for (std::string& line : engine_lines(engines, what)) presentation.lines.push_back(std::move(line));
+  for (std::string& line : engine_lines(engines, what, bias)) presentation.lines.push_back(std::move(line));
   presentation.section.tables.push_back(engine_table(engines, what));
 }
 

@@ -70,7 +70,9 @@ std::string measured_text(const GateCheck& check) {
 bool is_judged(const GateCheck& check) { return check.measured && std::isfinite(check.measured->value); }
 
 std::string excess_text(const GateCheck& check) {
-  return is_judged(check) ? number_text(check.excess, *check.measured) : "—";
+  if (!is_judged(check)) return "—";
+  const std::string text = number_text(check.excess, *check.measured);
+  return text.ends_with(" %") ? text.substr(0, text.size() - 1) + "percentage points" : text;
 }
 
 std::string intervals_text(const GateCheck& check) {

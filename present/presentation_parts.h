@@ -70,7 +70,9 @@ nlohmann::ordered_json to_json(const SceneFacts& scene, const ShadowShape& shape
 void present_shape(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow);
 
 /// Adds lines for the console and a table, both with notes. `what` is that of which the bias is: "sun".
-void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& engines, const std::string& what);
+/// `bias` is named beside an engine that draws as the run does: for others it was searched again.
+void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& engines, const std::string& what,
+                 const std::string& bias = {});
 
 /// Leaves out the notes about engines that an earlier part or engine has, in the console's lines and below tables.
 void say_engine_notes_once(std::vector<Presentation>& parts);

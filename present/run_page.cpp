@@ -23,17 +23,21 @@ namespace {
 
 constexpr std::size_t max_table_cells = 20'000;
 
+struct ConvertedBiasText {
+  std::string what;
+  std::string bias;
+};
+
 // The bias that a sweep converts for engines: that of its own answer, if it varies the bias.
-std::string converted_bias(const RunResults& results, const SweepResults& rows, const BiasAdvice& advice) {
+ConvertedBiasText converted_bias(const RunResults& results, const SweepResults& rows, const BiasAdvice& advice) {
   const std::optional<BiasCurves>& curves = results.sweep->curves;
   const BiasCurve* curve = curves ? curve_of_cell(*curves, rows.plan, least_row(rows)) : nullptr;
   if (curve == nullptr || !curve->plateau) {
-    return fmt::format("bias that compare recommends at the other settings of the cell of least error, {},",
-                       named_bias_text(advice));
+    return {"bias that compare recommends at the other settings of the cell of least error", named_bias_text(advice)};
   }
   const std::string setting = setting_text(curves->others, curve->others);
-  return fmt::format("the bias to use{}{}, {},", setting.empty() ? "" : " at ", setting,
-                     bias_text(*curves, *curve, curve->plateau->recommended));
+  return {"the bias to use" + (setting.empty() ? "" : " at " + setting),
+          bias_text(*curves, *curve, curve->plateau->recommended)};
 }
 
 // The cell of least error.
@@ -42,7 +46,7 @@ Presentation present_cell(const RunResults& results, const SweepResults& rows, c
   const LayeredImage& layers = measurement.layers;
   Presentation part;
   std::vector<EngineAdvice> engines;
-  std::string converted;
+  ConvertedBiasText converted;
   if (measurement.ao) {
     part = present_ao(layers, *measurement.ao);
   } else if (measurement.image) {
@@ -62,7 +66,7 @@ Presentation present_cell(const RunResults& results, const SweepResults& rows, c
   part.lines.clear();
   if (results.sweep->curves) part.lines.push_back("cell of least error: " + cell);
   for (const std::string& answer : std::exchange(part.answers, {})) part.lines.push_back("  " + answer);
-  add_engines(part, engines, converted);
+  add_engines(part, engines, converted.what, converted.bias);
   part.section.title += " in the cell of least error";
   part.section.text = fmt::format("This section shows the cell {}.\n\n", cell) + part.section.text;
   return part;

@@ -57,7 +57,7 @@ std::string value_text(const TuneAxis& axis, const Value& value) {
   std::string text = number != nullptr ? with_minus(fmt::format("{:.{}g}", *number, std::abs(*number) < 100.0 ? 3 : 5))
                                        : to_string(value);
   // A length in another unit than the axis's.
-  if (number == nullptr && !axis.is_word()) {
+  if (std::holds_alternative<std::string>(value) && !axis.is_word()) {
     if (const std::optional<Length> length = parse_length(text)) return length_text(*length);
   }
   const std::string& unit = axis.axis.unit;

@@ -26,6 +26,12 @@ void require_metres(const Parameters& parameters) {
   }
 }
 
+// "1.5texels" does, "0.04" does not.
+bool names_its_unit(const Parameter& parameter) {
+  const auto* const* length = std::get_if<Length*>(&parameter.field);
+  return length != nullptr && (*length)->unit != LengthUnit::metres;
+}
+
 }  // namespace
 
 Parameters describe(RunParams& params) {
@@ -122,7 +128,7 @@ Table settings_table(Experiment experiment) {
   Table table{{{"parameter", "", "full name: flag, key and column"},
                {"value", "", "value in this run; for a varied parameter, its axis"},
                {"default", "", "value without the flag"},
-               {"unit", "", "of the value"},
+               {"unit", "", "of numbers without one of their own"},
                {"meaning", "", "what it sets"}},
               {}};
   Experiment defaults;
@@ -134,8 +140,10 @@ Table settings_table(Experiment experiment) {
     for (const auto& [key, text] : experiment.axes) {
       if (key == parameter.key) value = "varied: " + text;
     }
-    table.rows.push_back({parameter.key, value, to_string(require(of_defaults, parameter.key).value()),
-                          parameter.description.unit, parameter.description.meaning});
+    const Parameter& usual = require(of_defaults, parameter.key);
+    const bool has_own_units = names_its_unit(parameter) && names_its_unit(usual);
+    table.rows.push_back({parameter.key, value, to_string(usual.value()),
+                          has_own_units ? "" : parameter.description.unit, parameter.description.meaning});
   }
   std::stable_partition(table.rows.begin(), table.rows.end(),
                         [](const std::vector<Value>& row) { return row[1] != row[2]; });

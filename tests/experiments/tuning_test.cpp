@@ -62,6 +62,7 @@ TEST(TuneAxis, A_default_in_another_unit_is_named_and_lies_outside) {
   const Value given = present_value(describe(experiment), metres);
   EXPECT_EQ(given, Value("1.5texels"));
   EXPECT_EQ(value_text(metres, given), "1.5 texels");
+  EXPECT_EQ(value_text(axis("ao.samples", "4:7"), Value(std::int64_t{5})), "5") << "a count is no length";
   EXPECT_LT(position_of(metres, given), 0.0);
   experiment.shadow.bias.constant = {0.05, LengthUnit::metres};
   EXPECT_EQ(present_value(describe(experiment), metres), Value(0.05));
