@@ -240,6 +240,7 @@ TEST_F(Answers, Where_filters_are_compared_the_page_says_what_the_error_cannot_d
                                "soft");
   EXPECT_EQ(soft.find(warning), std::string::npos) << "a soft shadow ranks filters";
   EXPECT_NE(text_of(folder_ / "out/index.html").find("not a filter"), std::string::npos);
+  EXPECT_NE(text_of(folder_ / "out/index.html").find("Ambient occlusion: none."), std::string::npos);
   run({"compare", "contact-box", "--light", "0", "--shadow.filter", "box"}, "box");
   EXPECT_NE(text_of(folder_ / "box/index.html").find("not a filter"), std::string::npos);
 }
