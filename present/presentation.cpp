@@ -13,6 +13,7 @@
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
 #include "results/layers.h"
+#include "techniques/ao/integral.h"
 
 namespace umbrameter {
 namespace {
@@ -360,15 +361,19 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
       {"mean signed error", is_measurable(s) ? with_sign(percent(s.mean_error)) : text.with_sign, "below 0: too dark"},
   };
-  const std::string radius = metres_text(experiment.ao.sampling.radius.number);
-  section.text += !renderer.empty()
-                      ? fmt::format("\n\nThe reference looks for occluders {}{}.", limit,
-                                    limit == "up to " + radius
-                                        ? ", as our ao.radius does; set truth.ao-distance to the reach of " + renderer
-                                        : "")
-                  : limit == "up to " + radius
-                      ? fmt::format("\n\nTechnique and reference look for occluders up to {}.", radius)
-                      : fmt::format("\n\nThe technique looks for occluders up to {}, the reference {}.", radius, limit);
+  const double radius_of = experiment.ao.sampling.radius.number;
+  const std::optional<AoIntegral> integral = find_integral(make_technique(experiment.ao));
+  const double reach = integral ? integral->reach : radius_of;
+  const std::string radius = metres_text(reach);
+  const std::string of_radius = reach == radius_of ? "" : fmt::format(" ({:.4g} times ao.radius)", reach / radius_of);
+  section.text +=
+      !renderer.empty()            ? fmt::format("\n\nThe reference looks for occluders {}{}.", limit,
+                                      limit == "up to " + metres_text(radius_of)
+                                                     ? ", as our ao.radius does; set truth.ao-distance to the reach of " + renderer
+                                                     : "")
+      : limit == "up to " + radius ? fmt::format("\n\nTechnique and reference look for occluders up to {}.", radius)
+                                   : fmt::format("\n\nThe technique looks for occluders up to {}{}, the reference {}.",
+                                                 radius, of_radius, limit);
   section.text +=
       " Noise in the reference can only raise the mean absolute error, which is therefore given as a range; its lower "
       "end is corrected for this noise.";

@@ -11,6 +11,7 @@
 #include "present/scene_report.h"
 #include "reports/files/text_layout.h"
 #include "techniques/shadow/map_fit.h"
+#include "techniques/shadow/pcf.h"
 
 namespace umbrameter {
 namespace {
@@ -197,10 +198,9 @@ std::string technique_text(const ShadowMeasurement& shadow) {
   if (const std::string renderer = renderer_title(experiment); !renderer.empty()) return renderer;
   const std::size_t cascades = shadow.layout.kind == MapKind::orthographic ? shadow.layout.views.size() : 1;
   const std::string views = cascades > 1 ? fmt::format("{} cascades of ", cascades) : "";
-  const bool has_kernel = capabilities_of(make_technique(experiment.shadow)).sums_comparisons;
-  return fmt::format(
-      "{}{}² texels, {}", views, shadow.layout.resolution,
-      has_kernel ? value_text(experiment, "shadow.filter") + " filter" : value_text(experiment, "shadow.technique"));
+  const std::string technique = value_text(experiment, "shadow.technique");
+  return fmt::format("{}{}² texels, {}", views, shadow.layout.resolution,
+                     technique == Pcf::name ? value_text(experiment, "shadow.filter") + " filter" : technique);
 }
 
 std::string stored_depths_text(const ShadowMeasurement& shadow) {

@@ -159,7 +159,7 @@ std::string bias_range_text(const TuneSummary& summary) {
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
-  return text + fmt::format("; of these, acne is at most 0.1 % in every case from {}",
+  return text + fmt::format("; of these, acne is at most 0.1 % in every case of the search from {}",
                             value_text(*axis, plateau.recommended.constant));
 }
 
@@ -224,7 +224,7 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const BiasCell& used = result.plateau->recommended;
     answers.push_back(fmt::format(
         "use {}: {} {}, acne {}; of the biases within {} of the least cost, the smallest with acne of at most 0.1 % in "
-        "every case: a larger one detaches shadows that these views may not show",
+        "every case of the search: a larger one detaches shadows that these views may not show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae),
         percent(used.acne),
         result.plateau->is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : std::string("5 %")));

@@ -86,7 +86,8 @@ TEST_F(Tune, Says_in_words_what_was_minimised_and_how_much_better_the_best_point
   const std::string default_line = result.out.substr(result.out.find("\ndefault"));
   EXPECT_NE(default_line.substr(0, default_line.find('\n', 1)).find("; the best point "), std::string::npos)
       << result.out;
-  EXPECT_NE(result.out.find("; of these, acne is at most 0.1 % in every case from "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("; of these, acne is at most 0.1 % in every case of the search from "), std::string::npos)
+      << result.out;
 }
 
 TEST_F(Tune, Says_that_a_range_and_the_best_value_reach_the_end_of_the_axis) {
