@@ -79,7 +79,7 @@ std::string intervals_text(const GateCheck& check) {
   return is_judged(check) && std::isfinite(check.intervals) ? with_sign(fmt::format("{:.1f}", check.intervals)) : "—";
 }
 
-// The value that uses most of its bound; of bounds at 0 the first.
+// The value that uses the largest share of its bound. A bound of 0 has no shares, and comes last.
 const GateCheck& nearest_to_its_bound(const std::vector<GateCheck>& checks) {
   const auto use_of = [](const GateCheck& check) {
     return check.bound == 0.0 ? 0.0 : 1.0 + check.excess / std::abs(check.bound);

@@ -361,25 +361,27 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
       {"mean signed error", is_measurable(s) ? with_sign(percent(s.mean_error)) : text.with_sign, "below 0: too dark"},
   };
-  const double radius_of = experiment.ao.sampling.radius.number;
+  const double radius = experiment.ao.sampling.radius.number;
   const std::optional<AoIntegral> integral = find_integral(make_technique(experiment.ao));
-  const double reach = integral ? integral->reach : radius_of;
-  const std::string radius = metres_text(reach);
-  const std::string of_radius = reach == radius_of ? "" : fmt::format(" ({:.4g} times ao.radius)", reach / radius_of);
-  section.text +=
-      !renderer.empty()            ? fmt::format("\n\nThe reference looks for occluders {}{}.", limit,
-                                      limit == "up to " + metres_text(radius_of)
-                                                     ? ", as our ao.radius does; set truth.ao-distance to the reach of " + renderer
-                                                     : "")
-      : limit == "up to " + radius ? fmt::format("\n\nTechnique and reference look for occluders up to {}.", radius)
-                                   : fmt::format("\n\nThe technique looks for occluders up to {}{}, the reference {}.",
-                                                 radius, of_radius, limit);
+  const double reach = integral ? integral->reach : radius;
+  const std::string reaches = metres_text(reach);
+  if (!renderer.empty()) {
+    section.text += fmt::format("\n\nThe reference looks for occluders {}{}.", limit,
+                                limit == "up to " + metres_text(radius)
+                                    ? ", as our ao.radius does; set truth.ao-distance to the reach of " + renderer
+                                    : "");
+  } else if (limit == "up to " + reaches) {
+    section.text += fmt::format("\n\nTechnique and reference look for occluders up to {}.", reaches);
+  } else {
+    section.text += fmt::format("\n\nThe technique looks for occluders up to {}{}, the reference {}.", reaches,
+                                reach == radius ? "" : fmt::format(" ({:.4g} times ao.radius)", reach / radius), limit);
+  }
   section.text +=
       " Noise in the reference can only raise the mean absolute error, which is therefore given as a range; its lower "
       "end is corrected for this noise.";
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
-  const std::string of = renderer.empty() ? technique + " radius " + radius : renderer;
+  const std::string of = renderer.empty() ? technique + " radius " + metres_text(radius) : renderer;
   presentation.answers.push_back(
       fmt::format("AO: mean absolute error {}, mean signed error {}{} ({}{}, reference rays {})", text.absolute,
                   text.with_sign, sign_words(s.mean_error), text.has_interval ? "95 %, over rays; " : "", of, limit));

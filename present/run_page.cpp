@@ -28,7 +28,7 @@ struct ConvertedBiasText {
   std::string bias;
 };
 
-// The bias that a sweep converts for engines: that of its own answer, if it varies the bias.
+// A sweep over biases converts the one that it recommends itself, any other sweep the one that compare recommends.
 ConvertedBiasText converted_bias(const RunResults& results, const SweepResults& rows, const BiasAdvice& advice) {
   const std::optional<BiasCurves>& curves = results.sweep->curves;
   const BiasCurve* curve = curves ? curve_of_cell(*curves, rows.plan, least_row(rows)) : nullptr;

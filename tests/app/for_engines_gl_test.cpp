@@ -58,7 +58,7 @@ TEST_F(ForEngines, A_sweep_converts_the_bias_of_its_own_answer) {
   EXPECT_EQ(std::stod(text_after("the bias to use, ", 't')), converted);
 }
 
-// Without an axis of the bias there is no answer of its own.
+// A sweep that does not vary the bias recommends none itself.
 TEST_F(ForEngines, A_sweep_of_other_axes_names_the_bias_that_it_converts) {
   const std::string out =
       run_program({"sweep", "courtyard", "--light", "sun", "--size", "160x90", "--no-figures", "--vary",
