@@ -52,18 +52,6 @@ void require_utf8(const std::string& path) {
               "rename the file or its folder");
 }
 
-// Where the technique can do nothing for a light.
-void add_technique_notes(Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights) {
-  if (stages.has_engine() || !capabilities_of(make_technique(experiment.shadow)).reads_light_extent) return;
-  for (const std::uint32_t light : lights) {
-    const Light lamp = with_extent(stages.scene().lights[light], experiment.light);
-    if (is_area(lamp)) continue;
-    const bool is_sun = std::holds_alternative<DirectionalLight>(lamp.shape);
-    stages.add_notes({fmt::format("{} has no extent, so that the kernel is one tap; set --light.{}",
-                                  stages.title(light), is_sun ? "angle" : "radius")});
-  }
-}
-
 // run.measure selects what is measured, and other settings refer to parts of it.
 void require_measured(const Experiment& experiment, const std::vector<BudgetEntry>& conditions) {
   const bool shadows = measures_shadows(experiment);
@@ -179,6 +167,19 @@ void add_setting_notes(Stages& stages, const CommandLine& line, const Experiment
                           preset.kind, others);
     }
     stages.add_notes({text});
+  }
+}
+
+void add_technique_notes(Stages& stages, Experiment experiment, const std::vector<std::uint32_t>& lights) {
+  if (stages.has_engine() || !capabilities_of(make_technique(experiment.shadow)).reads_light_extent) return;
+  const std::string technique = to_string(require(describe(experiment), "shadow.technique").value());
+  for (const std::uint32_t light : lights) {
+    const Light lamp = with_extent(stages.scene().lights[light], experiment.light);
+    if (is_area(lamp)) continue;
+    const bool is_sun = std::holds_alternative<DirectionalLight>(lamp.shape);
+    stages.add_notes(
+        {fmt::format("{} has no extent, so that {} reads its map like pcf with filter nearest; set --light.{}",
+                     stages.title(light), technique, is_sun ? "angle" : "radius")});
   }
 }
 

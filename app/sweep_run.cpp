@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "core/lists.h"
 #include "experiments/measure/engine_advice.h"
 #include "experiments/measure/measure_biases.h"
 #include "experiments/settings/stage_inputs.h"
@@ -77,6 +79,17 @@ void check_against_scene(const Stages& stages, const Experiment& experiment, con
   }
 }
 
+// With each value of shadow.technique; only the given one where it is not varied.
+std::vector<Experiment> with_each_technique(const Experiment& experiment, const std::vector<SweepAxis>& axes) {
+  const auto axis = std::ranges::find(axes, "shadow.technique", &SweepAxis::key);
+  if (axis == axes.end()) return {experiment};
+  return mapped(axis->values, [&](const Value& technique) {
+    Experiment each = experiment;
+    require(describe(each), "shadow.technique").set(technique);
+    return each;
+  });
+}
+
 std::vector<SweepAxis> checked_axes(Experiment& experiment) {
   std::vector<SweepAxis> axes = parse_axes(describe(experiment), experiment.axes);
   check_axes(axes, experiment);
@@ -111,7 +124,11 @@ void SweepRun::load(const Console& console) {
   }
   experiment = stages->in_metres(given);
   check_against_scene(*stages, experiment, axes, quantity);
-  add_setting_notes(*stages, line, experiment, swept_lights(*stages, experiment, axes, quantity));
+  const std::vector<std::uint32_t> swept = swept_lights(*stages, experiment, axes, quantity);
+  add_setting_notes(*stages, line, experiment, swept);
+  if (!varies_group(axes, "light.")) {
+    for (const Experiment& each : with_each_technique(experiment, axes)) add_technique_notes(*stages, each, swept);
+  }
   statistics = choose_statistics(*stages, experiment, axes, quantity);
   metrics = swept_metrics(experiment, statistics);
 }

@@ -129,7 +129,10 @@ Statistics describe(SoftVisibilityStatistics& s) {
       .field("pixels", s.error.pixels, "px",
              "counted pixels: they face part of the light and lie inside its map, cone and range")
       .field("lit", s.error.mean_truth, "1", "mean visibility of the reference")
-      .field("penumbra", s.penumbra, "1", "share in the penumbra: mean of 4V(1 − V), V the visibility of the reference")
+      .field("penumbra", s.penumbra, "1",
+             "weighted share in the penumbra: mean of 4V(1 − V), V the visibility of the reference; a linear penumbra "
+             "counts "
+             "with 2/3 of its area")
       .field("mae", s.error.mae, "1", with_bounds("mean absolute error of visibility"),
              {"Mean absolute error of visibility", "mean absolute error [%], bounds"})
       .field("rmse", s.error.rmse, "1", "RMS error, corrected for the variance of the reference")

@@ -11,7 +11,7 @@ namespace umbrameter {
 std::string_view cause_meaning(Cause cause) {
   constexpr std::array<std::string_view, cause_count> meanings = {
       "wrongly blocked by the surface itself", "wrongly blocked by another surface",
-      "wrongly lit: the bias removed the occluder", "wrongly lit: the map holds no occluder there"};
+      "wrongly lit: the bias removed the occluder", "wrongly lit: the map holds no occluder where it is read"};
   return meanings[static_cast<std::size_t>(cause)];
 }
 

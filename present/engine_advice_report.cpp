@@ -24,6 +24,12 @@ std::string no_number_text(const EngineAdvice& advice) {
 
 const std::string note_mark = "    note: ";
 
+// "without shadow.slope-bias 0.667, for which it has no number"; nothing where all of the bias is converted.
+std::string left_out_text(const EngineAdvice& advice) {
+  if (!is_complete(advice.target) || !advice.measured || advice.left_out_slope == 0.0) return "";
+  return fmt::format("without shadow.slope-bias {:.3g}, for which it has no number", advice.left_out_slope);
+}
+
 std::string engine_error_text(const EngineAdvice& advice) {
   const auto acne_of = [](const BiasCell& cell) {
     return cell.acne > little_acne_share ? ", acne " + percent(cell.acne) : "";
@@ -40,11 +46,9 @@ std::string engine_error_text(const EngineAdvice& advice) {
   if (!is_complete(advice.target)) return no_number_text(advice) + usual;
   if (!advice.measured) return "error not measured: " + advice.why_not_measured + usual;
   const std::string acne = acne_of(*advice.measured);
-  const std::string slope =
-      advice.left_out_slope != 0.0
-          ? fmt::format(" without shadow.slope-bias {:g}, for which it has no number", advice.left_out_slope)
-          : "";
-  return fmt::format("error {}{}{}{}", percent(advice.measured->mae), acne, slope, usual);
+  const std::string left_out = left_out_text(advice);
+  return fmt::format("error {}{}{}{}{}", percent(advice.measured->mae), acne, left_out.empty() ? "" : " ", left_out,
+                     usual);
 }
 
 // Lines of the engine's code, or the number in a unit. None where a part of the bias is left out: zeros would look like
@@ -71,12 +75,14 @@ std::vector<std::string> notes_with_offset(const EngineAdvice& advice) {
   const BiasEngine& engine = *advice.target.spec.engine;
   if (engine.polygon_factor > 0.0 || engine.polygon_units > 0.0) {
     notes.push_back(fmt::format(
-        "{}: the bias was searched again with that polygon offset, and the errors are those with it", engine.name));
+        "{}: checked again with that polygon offset: the bias found without it is kept where it is still a good one; "
+        "the errors are those with it",
+        engine.name));
   }
   if (engine.faces != CasterFaces::all) {
     notes.push_back(
-        fmt::format("{}: unless shadow.faces is set, the bias was searched again with {} faces as casters, and the "
-                    "errors are those with them",
+        fmt::format("{}: unless shadow.faces is set, checked again with {} faces as casters: the bias found without "
+                    "them is kept where it is still a good one; the errors are those with them",
                     engine.name, engine.faces == CasterFaces::back ? "back" : "front"));
   }
   return notes;
@@ -105,6 +111,9 @@ std::vector<std::string> remarks_on(const std::vector<EngineAdvice>& engines) {
   for (const EngineAdvice& each : engines) {
     if (!each.why_not_measured.empty()) {
       remarks.push_back(fmt::format("{}: {}.", each.target.spec.engine->name, each.why_not_measured));
+    }
+    if (const std::string left_out = left_out_text(each); !left_out.empty()) {
+      remarks.push_back(fmt::format("{}: these numbers are {}.", each.target.spec.engine->name, left_out));
     }
     for (const std::string& note : notes_with_offset(each)) remarks.push_back(note + ".");
   }

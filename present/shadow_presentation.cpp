@@ -79,6 +79,29 @@ void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
   section.tables.push_back({"Constant bias of these images", std::move(table)});
 }
 
+const char* flags_without_extent(const Emitter& emitter) {
+  if (std::holds_alternative<DistantEmitter>(emitter)) return "--light.angle 0";
+  return std::holds_alternative<RectangleEmitter>(emitter) ? "--light.width 0 --light.height 0" : "--light.radius 0";
+}
+
+TechniqueCapabilities capabilities_of(const ShadowMeasurement& shadow) {
+  return umbrameter::capabilities_of(make_technique(shadow.experiment.shadow));
+}
+
+// Why no bias is recommended, and what finds one.
+std::string no_advice_text(const ShadowMeasurement& shadow) {
+  const TechniqueCapabilities technique = capabilities_of(shadow);
+  const std::string flags = shadow.experiment.truth.shadow == ShadowReference::pixel
+                                ? "--truth.shadow point"
+                                : flags_without_extent(shadow.emitter);
+  const std::string reason =
+      !technique.sums_comparisons ? "only the acne of PCF, which sums depth comparisons, can be counted"
+      : !technique.taps_independent_of_bias
+          ? "the kernel of " + value_text(shadow.experiment, "shadow.technique") + " depends on the bias"
+          : "acne can be counted only in a hard shadow (" + flags + ")";
+  return "no bias recommended: " + reason + "; umbrameter tune finds the bias of least error";
+}
+
 void present_edge_error(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
                         const ShadowMeasurement& shadow, const EdgeStatistics& s) {
   const std::string title = scene.title(shadow.light);
@@ -98,23 +121,15 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
       {"too dark away from edges", percent(s.too_dark_away), "like acne"},
       {"too dark at edges", percent(s.too_dark_at_edge), "blur and occluders in the kernel"},
       {"too bright at edges", percent(s.too_bright_at_edge), "blur and lost contact"},
-      {"too bright away from edges", percent(s.too_bright_away), "light bleeding"},
+      {"too bright away from edges", percent(s.too_bright_away), "typically light bleeding; or a large bias"},
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}; no bias "
-      "recommended: only the acne of PCF, which sums depth comparisons, can be counted; umbrameter tune finds the bias "
-      "of "
-      "least error",
-      title, percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away), percent(s.too_bright_away),
-      percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
-}
-
-const char* flags_without_extent(const Emitter& emitter) {
-  if (std::holds_alternative<DistantEmitter>(emitter)) return "--light.angle 0";
-  return std::holds_alternative<RectangleEmitter>(emitter) ? "--light.width 0 --light.height 0" : "--light.radius 0";
+      "{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}; {}", title,
+      percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away), percent(s.too_bright_away),
+      percent(s.too_dark_at_edge), percent(s.too_bright_at_edge), no_advice_text(shadow)));
 }
 
 void present_soft_error(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
@@ -127,7 +142,10 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
                                 : "\n\nThis is an area light. Its reference is the visible share of the light";
   section.text +=
       ", so a single tap is neither right nor wrong and has no cause of error. The error is split into too dark and "
-      "too bright instead. Causes need a binary reference: --truth.shadow point takes the light's centre alone.";
+      "too bright instead. ";
+  section.text += capabilities_of(shadow).sums_comparisons
+                      ? "Causes need a binary reference: --truth.shadow point takes the light's centre alone."
+                      : "This technique has causes against no reference: it does not sum depth comparisons.";
   if (s.error.max_x >= 0) {
     section.text += fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.error.max_error),
                                 s.error.max_x, s.error.max_y);
@@ -143,13 +161,11 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   add_bias_table(section, shadow);
   presentation.answers.push_back(fmt::format(
       "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the lit share of the "
-      "{}); "
-      "no bias recommended: acne can be counted only in a hard shadow ({}); umbrameter tune finds the bias of least "
-      "error",
+      "{}); {}",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
       percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra), is_over_pixel ? "pixel" : "light",
-      is_over_pixel ? "--truth.shadow point" : flags_without_extent(shadow.emitter)));
+      no_advice_text(shadow)));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {
@@ -304,9 +320,12 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   } else {
     const std::string by = renderer.empty() ? "" : ", " + renderer;
     const std::string at = renderer.empty() ? " at a bias of " + length_text(experiment.shadow.bias.constant) : "";
-    presentation.answers.push_back(fmt::format("{}{}: error {}{}{}; {}{}", title, by, percent(s.mae),
-                                               few_pixels_text(s.pixels), at, parts,
-                                               renderer.empty() ? "" : " (causes: " + shadow.cause_source + ")"));
+    // Of a sweep's cell the sweep itself tells the bias.
+    const std::string why_no_bias =
+        capabilities_of(shadow).taps_independent_of_bias ? "" : "; " + no_advice_text(shadow);
+    presentation.answers.push_back(
+        fmt::format("{}{}: error {}{}{}; {}{}", title, by, percent(s.mae), few_pixels_text(s.pixels), at, parts,
+                    renderer.empty() ? why_no_bias : " (causes: " + shadow.cause_source + ")"));
   }
   return presentation;
 }

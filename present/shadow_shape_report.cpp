@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
@@ -10,6 +11,10 @@ namespace umbrameter {
 namespace {
 
 constexpr std::size_t max_casters = 12;  // that the page lists
+
+constexpr std::string_view units_note =
+    "Metres lie along the surface; texels count only the part across the light. Median and largest are of each unit by "
+    "itself.";
 
 constexpr std::array<std::string_view, 2> soft_titles = {"too dark", "too bright"};
 
@@ -54,7 +59,9 @@ std::string edges_text(const ErrorShape& shape) {
       grouped(shape.edges));
   if (shape.outside_penumbra) {
     text += fmt::format(
-        " {} of the error lies outside the penumbra (weight 1 − 4V(1 − V), V the visibility of the reference).",
+        " {} of the error counts as outside the penumbra, with the weight 1 − 4V(1 − V), V the visibility of the "
+        "reference: 1 where it is lit or blocked, 0 where it is half lit. An error that is the same all over a linear "
+        "penumbra, and nowhere else, gives 33 %.",
         percent(*shape.outside_penumbra));
   }
   return text;
@@ -112,6 +119,22 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
   return table;
 }
 
+ReportTable caster_report(const SceneFacts& scene, const std::vector<CasterShape>& casters) {
+  ReportTable report{"Contact gap and shadow inset by caster", caster_table(scene, casters)};
+  report.remarks.emplace_back(units_note);
+  if (casters.size() <= max_casters) return report;
+  report.title += fmt::format(": the {} of {} with most contacts and edges", max_casters, casters.size());
+  const auto farthest = std::ranges::max_element(casters, {}, [](const CasterShape& each) {
+    return each.contacts > 0 ? each.gap_largest.metres : -std::numeric_limits<double>::infinity();
+  });
+  if (farthest->contacts > 0) {
+    report.remarks.push_back(fmt::format("The largest gap of all {}: {}, {}.", casters.size(),
+                                         metres_text(farthest->gap_largest.metres),
+                                         scene.by_object.names[farthest->object]));
+  }
+  return report;
+}
+
 Table shimmer_table(const Shimmer& shimmer) {
   Table table{{{"what moved", "", ""}, {"change", "%", "mean change of visibility"}, {"over", "", ""}}, {}};
   const auto add = [&](const char* what, double share, const char* over) {
@@ -125,7 +148,7 @@ Table shimmer_table(const Shimmer& shimmer) {
   return table;
 }
 
-PlotFigure distance_figure(const std::string& layer, const std::string& title, const ErrorShape& shape) {
+PlotFigure distance_figure(const std::string& layer, const std::string& title, const ErrorShape& shape, bool is_soft) {
   PlotFigure figure;
   figure.stem = "edge_distance_" + layer;
   figure.title = "Distance of errors from shadow edges: " + title;
@@ -135,9 +158,10 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
             "within "
             "one or two texels of an edge, or within half a pixel where that is more; acne may lie far from any edge."
           : "Share of the error that is too dark, and of that too bright, within a distance of the nearest edge of the "
-            "hard shadow of the light's centre. Errors of the penumbra lie within its width of that edge; errors "
-            "farther "
-            "away have another cause.";
+            "hard shadow" +
+                std::string(is_soft ? " of the light's centre. Errors of the penumbra lie within its width"
+                                    : ". Errors of the filter lie within its width") +
+                " of that edge; errors farther away have another cause.";
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};
   figure.series = "part";
@@ -176,18 +200,20 @@ void present_shape(Presentation& presentation, const SceneFacts& scene, const Sh
   ReportSection& section = presentation.section;
   section.text += edges_text(shape.error);
   section.tables.push_back({"Distance of errors from the edges of the hard shadow", distance_table(shape.error)});
+  section.tables.back().remarks.emplace_back(units_note);
   if (shape.error.components && shape.error.components->count > 0) {
     section.tables.push_back({"Connected error regions", component_table(shape.error)});
   }
   const std::string missing = shape.contact_search ? missing_contacts_text(*shape.contact_search) : std::string();
   if (!missing.empty()) section.text += fmt::format("\n\nFor this light {}.", missing);
   if (!shape.casters.empty()) {
-    section.tables.push_back({"Contact gap and shadow inset by caster", caster_table(scene, shape.casters)});
+    section.tables.push_back(caster_report(scene, shape.casters));
   }
   if (shape.shimmer) section.tables.push_back({"Shimmer", shimmer_table(*shape.shimmer)});
   add_view_tables(section, shape.views);
   if (shape.error.all.texels) {
-    add_figure(presentation, distance_figure(scene.layer(shadow.light), scene.title(shadow.light), shape.error));
+    add_figure(presentation, distance_figure(scene.layer(shadow.light), scene.title(shadow.light), shape.error,
+                                             !std::holds_alternative<std::monostate>(shadow.emitter)));
   }
 }
 

@@ -217,9 +217,7 @@ std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, c
     text += (text.empty() ? "" : ", ") + axis.key + " ";
     const auto* number = std::get_if<double>(&row[a]);
     std::vector<double> values;
-    for (const Value& value : axis.values) {
-      if (number != nullptr) values.push_back(to_number(value));
-    }
+    if (number != nullptr) values = mapped(axis.values, [](const Value& value) { return to_number(value); });
     std::ranges::sort(values);
     const int digits = number != nullptr ? digits_on_axis(values, *number) : 0;
     if (number != nullptr && axis.unit == "m") {
@@ -295,6 +293,23 @@ std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) 
   return row_text(sweep, row, axes);
 }
 
+// "; equal at shadow.technique pcss" for other words with which the least error is the same to the last digit.
+std::string equal_text(const SweepResults& sweep, const std::vector<Value>& least) {
+  std::vector<std::string> keys;
+  for (const SweepAxis& axis : sweep.plan.axes) {
+    if (std::holds_alternative<std::string>(axis.values.front())) keys.push_back(axis.key);
+  }
+  const Table best = sweep.store.least(std::string(error_statistic), keys, max_best_rows);
+  const std::size_t mae = column_index(best, error_statistic);
+  std::string text;
+  for (const std::vector<Value>& row : best.rows) {
+    const std::string cell = cell_text(sweep, row);
+    if (row[mae] != least[mae] || cell == cell_text(sweep, least)) continue;
+    text += (text.empty() ? "; equal at " : ", ") + cell;
+  }
+  return text;
+}
+
 std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best) {
   return find_open_ends(sweep, best, listed_axes(sweep));
 }
@@ -352,7 +367,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     present_bias(presentation, *curves);
   } else {
     presentation.answers.push_back(
-        fmt::format("least error {} at {}{}", error, cell_text(sweep, least),
+        fmt::format("least error {} at {}{}{}", error, cell_text(sweep, least), equal_text(sweep, least),
                     sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
     if (is_ao) {
       const double mean_truth = to_number(least[column_index(best, "mean_truth")]);

@@ -217,17 +217,22 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   const TuneResult& result = summary.result;
   const TuneGoal& goal = summary.goal;
   const char* best = "best";
+  const bool has_cases = summary.cases.size() > 1;
+  const std::string of_cases =
+      has_cases ? fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())
+                : "";
   if (result.withheld) {
     answers.push_back("no bias recommended: " + withheld_text(*result.withheld, result.evidence));
     best = "best point, whose bias is not recommended";
   } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
-    answers.push_back(fmt::format(
-        "use {}: {} {}, acne {}; of the biases within {} of the least cost, the smallest with acne of at most 0.1 % in "
-        "every case of the search: a larger one detaches shadows that these views may not show",
-        point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae),
-        percent(used.acne),
-        result.plateau->is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : std::string("5 %")));
+    answers.push_back(
+        fmt::format("use {}: {} {}{}, acne {}{}; of the biases within {} of the least cost, the smallest with acne of "
+                    "at most 0.1 % in "
+                    "every case of the search: a larger one detaches shadows that these views may not show",
+                    point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae),
+                    of_cases, has_cases ? "at most " : "", percent(used.acne),
+                    result.plateau->is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : std::string("5 %")));
     best = "best point, of least cost";
   }
   // With the digits of the other points, so that it reads as the smallest.
@@ -240,11 +245,8 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
       : half_width == std::string::npos
           ? fmt::format("{} ({}: {})", plain, covers, range)
           : fmt::format("{}{} ({})", plain.substr(0, plain.find(' ')), range.substr(half_width), covers);
-  answers.push_back(fmt::format(
-      "{}: {}: {} {}{}", best, point_text(summary.axes, result.best.values), cost_words(goal), cost,
-      summary.cases.size() == 1
-          ? ""
-          : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));
+  answers.push_back(fmt::format("{}: {}: {} {}{}", best, point_text(summary.axes, result.best.values), cost_words(goal),
+                                cost, of_cases));
   if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
   answers.push_back(comparison(summary, "default", result.before, summary.judgement.against_before));
   if (result.runner_up) {

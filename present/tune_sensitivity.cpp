@@ -45,8 +45,7 @@ std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
   std::string ends = ends_text(axis, *range);
   if (!ends.empty()) ends = " (" + ends + ")";
   const std::optional<BiasPlateau>& plateau = summary.result.plateau;
-  if (plateau && plateau->is_by_pixels && axis.key() == constant_bias_key)
-    ends = fmt::format("; within {} wrong pixels", chance_pixels) + ends;
+  if (plateau && plateau->is_by_pixels) ends = fmt::format("; within {} wrong pixels", chance_pixels) + ends;
   const std::string outside = outside_text(summary, scan, *range);
   if (range->first == range->second)
     return (outside.empty() ? "only " : "") + value_text(axis, range->first) + ends + outside;
@@ -89,19 +88,22 @@ std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, 
     if (point.values[scan.axis] == summary.result.best.values[scan.axis]) inside = costs.size();
     costs.push_back(point.score.is_kept() ? point.score.cost : std::numeric_limits<double>::infinity());
   }
-  const ConnectedRange range = connected_range(costs, inside, plateau_limit(summary.result.best.score.cost));
+  const double limit =
+      plateau && plateau->is_by_pixels ? plateau->limit : plateau_limit(summary.result.best.score.cost);
+  const ConnectedRange range = connected_range(costs, inside, limit);
   return std::pair{scan.points[range.first].values[scan.axis], scan.points[range.last].values[scan.axis]};
 }
 
 Table sensitivity_table(const TuneSummary& summary) {
-  Table table{{{"parameter", "", "varied; the others keep their best values"},
-               {"axis", "", "values that were allowed"},
-               {"best", "", "value of least cost"},
-               {"within 5 %", "",
-                "range around it in which the cost is at most 5 % higher: of a constant bias from its whole "
-                "curve, else of the measured values"},
-               {"highest along it", "", "cost on the measured values of the axis, the others as in the best point"}},
-              {}};
+  Table table{
+      {{"parameter", "", "varied; the others keep their best values"},
+       {"axis", "", "values that were allowed"},
+       {"best", "", "value of least cost"},
+       {"within 5 %", "",
+        "range around it in which the cost is at most 5 % higher, or 3 wrong pixels where that is more: of a constant "
+        "bias from its whole curve, else of the measured values"},
+       {"highest measured", "", "cost on the measured values of the axis, the others as in the best point"}},
+      {}};
   for (const AxisScan& scan : summary.result.scans) {
     const TuneAxis& axis = summary.axes[scan.axis];
     table.rows.push_back({axis.key(), axis.axis.text, value_text(axis, summary.result.best.values[scan.axis]),

@@ -68,8 +68,9 @@ double rounded_up(double number, double step) {
 
 std::string text_of(const OffsetKind& kind) {
   std::string text = kind.side == OffsetSide::receiver ? "moves the receiver " : "moves the caster inwards ";
-  text += kind.direction == OffsetDirection::normal ? "along its normal"
-                                                    : "along its normal without the part along the light";
+  text += kind.direction == OffsetDirection::normal
+              ? "along its normal"
+              : "across the light (along its normal, without the part along the light)";
   if (kind.profile == OffsetProfile::sine) return text + ", × sin θ";
   return text + (kind.profile == OffsetProfile::constant ? ", alike at every angle" : ", × (1 − cos θ)");
 }

@@ -132,7 +132,7 @@ BiasEngine three() {
       .source =
           "npm three 0.187.0: shadowmap_pars_fragment.glsl.js, shadowmap_vertex.glsl.js, "
           "DirectionalLightShadow.js, examples/jsm/csm/CSM.js",
-      .numbers = {{"bias", "of depth", 0.0, BiasTerm::constant,
+      .numbers = {{"bias", "of its own depth", 0.0, BiasTerm::constant,
                    [](const Place& p, const Settings& s) -> Result { return -metres_of_depth(p, s["near"], s["far"]); },
                    "−(far − near); of spot and point lights −d² (far − near) / (near · far) at depth d",
                    "light.shadow.bias = {};"},
@@ -160,7 +160,7 @@ BiasEngine babylon() {
           "npm @babylonjs/core 9.35.0: shadowMapVertexMetric.js, shadowMapVertexNormalBias.js, "
           "shadowGenerator.js, directionalLight.pure.js",
       .numbers =
-          {{"bias", "of depth", 5e-5, BiasTerm::constant,
+          {{"bias", "of its own depth", 5e-5, BiasTerm::constant,
             [](const Place& p, const Settings& s) -> Result {
               const double near = s["minZ"];
               const double far = s["maxZ"];
@@ -341,7 +341,7 @@ std::vector<BiasEngine> other_engines() {
       {.name = "stride",
        .title = "Stride",
        .source = "ShadowMapReceiverBase.sdsl @3e83da5, LightShadowMap.cs (defaults)",
-       .numbers = {{"DepthBias", "of depth", 0.01, BiasTerm::constant,
+       .numbers = {{"DepthBias", "of its own depth", 0.01, BiasTerm::constant,
                     [](const Place& p, const Settings&) { return of_sun(p, p.range); }, "R",
                     "shadow.BiasParameters.DepthBias = {}f;"},
                    {"NormalOffsetScale",

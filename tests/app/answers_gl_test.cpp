@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "tests/app/gl_run.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -282,6 +283,28 @@ TEST_F(Answers, The_best_cell_names_only_parameters_that_it_reads) {
                                "--vary", "shadow.filter-size=3,5"});
   EXPECT_EQ(first_line(out).find("shadow.filter-size"), std::string::npos) << out;
   EXPECT_NE(first_line(out).find("at shadow.filter nearest"), std::string::npos) << out;
+}
+
+TEST_F(Answers, Where_no_bias_is_recommended_the_reason_is_that_of_the_technique) {
+  const auto of_box = [&](const std::vector<std::string>& settings) {
+    return run(words({"compare", "contact-box", "--light", "sun", "--measure", "shadows", "--no-figures", "--force"},
+                     settings));
+  };
+  const char* only_pcf = "no bias recommended: only the acne of PCF";
+  expect_words(of_box({"--shadow.technique", "vsm"}), {only_pcf});
+  expect_words(of_box({"--light.angle", "2", "--shadow.technique", "vsm"}), {only_pcf});
+  const char* of_kernel = "no bias recommended: the kernel of pcss depends on the bias";
+  expect_words(of_box({"--light.angle", "2", "--shadow.technique", "pcss"}), {of_kernel});
+  expect_words(of_box({"--truth.shadow", "point", "--light.angle", "2", "--shadow.technique", "pcss"}), {of_kernel});
+  expect_words(of_box({"--light.angle", "2"}), {"acne can be counted only in a hard shadow (--light.angle 0)"});
+}
+
+TEST_F(Answers, A_sweep_names_every_technique_with_the_least_error) {
+  const ProgramResult result =
+      run_program({"sweep", "contact-box", "--light", "sun", "--vary", "shadow.technique=pcss,vsm,pcf", "--size",
+                   "96x54", "--no-figures", "-o", folder_ / "out"});
+  expect_words(result.out, {"at shadow.technique pcss; equal at shadow.technique pcf"});
+  expect_words(result.err, {"sun has no extent, so that pcss reads its map like pcf with filter nearest"});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "tests/app/gl_run.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -179,6 +180,9 @@ TEST_F(ForEngines, A_slope_bias_that_no_engine_has_is_left_out_of_its_error) {
   EXPECT_NEAR(three.at("mae").get<double>(),
               error_of(compare({"--shadow.constant-bias", "0", "--shadow.faces", "front"})), 1e-12);
   EXPECT_GT(three.at("mae").get<double>(), 2.0 * error_of(with_slope));
+  compare(words({"--shadow.slope-bias", "1.5"}, none));
+  expect_words(text_of(folder_ / "out/index.html"),
+               {"three: these numbers are without shadow.slope-bias 1.5, for which it has no number."});
 }
 
 TEST_F(ForEngines, A_sweep_and_a_tuning_state_their_best_bias) {

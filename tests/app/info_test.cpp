@@ -8,6 +8,7 @@
 
 #include "tests/app/run_program.h"
 #include "tests/scenes/gltf_files.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -43,10 +44,6 @@ std::string error_of(const std::vector<std::string>& words, int exit_code) {
   EXPECT_EQ(result.exit_code, exit_code) << result.err;
   EXPECT_TRUE(is_one_line(result.err)) << result.err;
   return result.err;
-}
-
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
 TEST(Info, A_missing_library_of_OpenGL_means_no_device_and_is_named_by_what_needs_one) {

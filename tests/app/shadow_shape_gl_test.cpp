@@ -7,6 +7,7 @@
 #include "core/math.h"
 #include "tests/app/gl_run.h"
 #include "tests/scenes/gltf_files.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -110,6 +111,25 @@ TEST_F(ShadowShapeRun, A_run_says_why_no_contact_gap_could_be_measured) {
   EXPECT_NE(reason.find("farther than one texel and 1.5 pixels from their caster"), std::string::npos) << reason;
   EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
   EXPECT_NE(text_of(folder_ / "out/index.html").find(reason), std::string::npos);
+}
+
+TEST_F(ShadowShapeRun, The_table_of_casters_says_how_many_it_leaves_out_and_the_largest_gap_of_all) {
+  ASSERT_EQ(run_program({"compare", "courtyard", "-o", folder_ / "out", "--light", "sun", "--measure", "shadows",
+                         "--size", "160x90", "--no-figures"})
+                .exit_code,
+            0);
+  const Json shape = Json::parse(text_of(folder_ / "out/summary.json"))["shadows"][0]["shape"];
+  double largest = -1.0;
+  std::string object;
+  for (const Json& caster : shape["casters"]) {
+    const Json& gap = caster["contact_gap"];
+    if (!gap.contains("largest") || !(gap["largest"]["m"].get<double>() > largest)) continue;
+    largest = gap["largest"]["m"];
+    object = caster["object"];
+  }
+  expect_words(text_of(folder_ / "out/index.html"),
+               {"by caster: the 12 of " + std::to_string(shape["casters"].size()) + " with most contacts and edges",
+                "The largest gap of all " + std::to_string(shape["casters"].size()) + ": ", ", " + object + "."});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "reports/files/data.h"
 #include "tests/app/gl_run.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -99,6 +100,15 @@ TEST_F(Tune, Says_that_a_range_and_the_best_value_reach_the_end_of_the_axis) {
   // In the answer and in the table.
   EXPECT_NE(result.out.find("; the range reaches the upper end of the axis"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("2 mm (upper end of the axis)"), std::string::npos) << result.out;
+}
+
+TEST_F(Tune, Says_of_which_of_several_cases_a_number_is) {
+  const ProgramResult result =
+      run_program({"tune", "contact-box", "-o", folder_ / "cases", "--size", "160x90", "--no-figures", "--light", "sun",
+                   "--over", "view.camera=overview,front-row", "--vary", "shadow.constant-bias=0texels:8texels"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out.find("use constant-bias "), 0u) << result.out;
+  expect_words(result.out, {" %, the mean of 2 cases, acne at most ", "), the mean of 2 cases\n", "highest measured"});
 }
 
 TEST_F(Tune, Over_several_lights_and_parameters_beats_the_default_and_repeats_to_the_bit) {

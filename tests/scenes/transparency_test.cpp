@@ -4,6 +4,7 @@
 
 #include "scenes/builtin.h"
 #include "tests/scenes/gltf_files.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -47,10 +48,6 @@ std::string notes_of(const Scene& scene) {
   std::string text;
   for (const std::string& note : scene.notes) text += note + "\n";
   return text;
-}
-
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
 TEST(Transparency, Transmission_is_read_and_is_no_extension_without_effect) {

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "techniques/engine_bias/conversion.h"
 #include "techniques/shadow/cascades.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -35,10 +36,6 @@ std::string error_of(const std::function<void()>& run) {
   }
   ADD_FAILURE() << "no error";
   return {};
-}
-
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
 TEST(EngineBias, Constant_biases_are_those_of_the_engines_sources) {
