@@ -127,9 +127,8 @@ Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& 
       "least 1024 samples each.",
       stages.integral, ao.experiment.truth.spp, stages.many_draws);
   WaterfallFigure waterfall = ao_stages_waterfall(statistics);
-  waterfall.conditions =
-      fmt::format("{}, radius {}, reference rays {}", title_of(make_technique(ao.experiment.ao)),
-                  metres_text(ao.experiment.ao.sampling.radius.number), ao_limit_text(ao.experiment.truth));
+  waterfall.conditions = fmt::format("{}, radius {}, reference rays {}", title_of(make_technique(ao.experiment.ao)),
+                                     ao_radius_text(ao.experiment.ao), ao_limit_text(ao.experiment.truth));
   add_figure(presentation, std::move(waterfall));
   add_ao_stage_figures(presentation, layers);
   section.headlines = {
@@ -143,10 +142,11 @@ Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& 
   }
   const AoStageError& most = statistics.stages[largest];
   const double total = statistics.total.rmse.value;
-  presentation.lines.push_back(
-      fmt::format("AO by stage: the stage '{}' changes AO most: mean {}, RMS {}{}; all stages together: RMS {}",
-                  ao_stage_titles[largest], with_sign(percent(most.mean.value)), percent(most.rms.value),
-                  most.rms.value > total ? ", partly undone by other stages" : "", percent(total)));
+  presentation.lines.push_back(fmt::format(
+      "AO by stage: '{}' has the largest RMS, {} (mean {}){}; all stages together: RMS {}", ao_stage_titles[largest],
+      percent(most.rms.value), with_sign(percent(most.mean.value)),
+      most.rms.value > std::max(total, statistics.total.rmse.upper) ? ", partly undone by other stages" : "",
+      percent(total)));
   return presentation;
 }
 

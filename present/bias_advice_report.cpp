@@ -70,11 +70,12 @@ std::string advice_text(const BiasAdvice& advice) {
   }
   // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= advice.plateau.limit;
-  return fmt::format("use bias {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended),
-                     used.acne > little_acne_share || is_for_acne ? reason_text(advice.plateau, is_for_acne) : "",
-                     is_for_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
+  const char* reason = reason_text(advice.plateau, is_for_acne);
+  const bool shows_acne = is_for_acne || *reason != '\0';
+  return fmt::format("use bias {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended), reason,
+                     shows_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
                      percent(used.mae), percent(recommended.mae), range,
-                     acne_left(recommended, is_for_acne ? "" : percent(used.acne) + " → "));
+                     acne_left(recommended, shows_acne ? "" : percent(used.acne) + " → "));
 }
 
 ReportTable advice_table(const BiasAdvice& advice) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/lists.h"
 #include "reports/files/text_layout.h"
@@ -12,8 +11,6 @@
 
 namespace umbrameter {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // For code: three significant digits without zeros at the end, and a minus that a compiler reads.
 std::string code_number(double number) {
@@ -49,12 +46,12 @@ std::string settings_text(const BiasSpec& spec) {
   return text;
 }
 
-std::string numbers_text(const BiasSpec& spec) {
+std::string numbers_text(const BiasSpec& spec, LightKind light) {
   std::string text;
   for (std::size_t i = 0; i < spec.numbers.size(); ++i) {
     const BiasNumber& number = spec.engine->numbers[i];
     const std::string unit = number.unit == "1" ? "" : fmt::format(" ({})", number.unit);
-    const char* usual = spec.numbers[i] == number.value ? ", its default" : "";
+    const char* usual = spec.numbers[i] == number.default_of(light) ? ", its default" : "";
     text += fmt::format("{}{} = {:.6g}{}{}", text.empty() ? "" : "; ", number.name, spec.numbers[i], unit, usual);
   }
   return text;
@@ -201,23 +198,12 @@ void add_number_notes(const ConvertedTarget& target, bool is_chosen, std::vector
   }
 }
 
-Json place_json(const MapPlace& place) {
-  Json json{{"name", place.name}, {"texel_m", place.texel}, {"range_m", place.range}};
-  if (place.light != LightKind::directional) json["depth_m"] = place.depth;
-  return json;
-}
-
-Json spec_json(const BiasSpec& spec) {
-  const BiasEngine& engine = *spec.engine;
-  Json json{{"engine", engine.name}, {"title", engine.title}, {"source", engine.source}};
-  json["note"] = engine.note;
-  json["unverified"] = engine.unverified;
-  json["settings"] = Json::object();
-  for (std::size_t i = 0; i < engine.settings.size(); ++i) {
-    const double value = spec.settings.values[i];
-    json["settings"][std::string(engine.settings[i].name)] = std::isnan(value) ? Json(nullptr) : Json(value);
+// Why the number is not known at one of the places.
+std::string reason_of(const ConvertedTarget& target, std::size_t number) {
+  for (const BiasConversion& each : target.conversions) {
+    if (!each.numbers[number].value) return each.numbers[number].reason;
   }
-  return json;
+  return {};
 }
 
 std::string range_of(double min, double max) {
@@ -232,12 +218,16 @@ std::string title_of(const BiasSpec& spec) {
 }
 
 std::vector<std::string> code_lines(const ConvertedTarget& target, bool has_remarks) {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines, lost;
   const BiasEngine& engine = *target.spec.engine;
   for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
     const BiasNumber& number = engine.numbers[n];
     const std::optional<std::vector<double>> values = set_values(target, n);
-    if (number.code.empty() || !values || is_idle(target, n)) continue;
+    if (number.code.empty() || is_idle(target, n)) continue;
+    if (!values) {
+      lost.push_back(fmt::format("{} {}: no number everywhere: {}", engine.comment, number.name, reason_of(target, n)));
+      continue;
+    }
     const std::string& own = target.conversions.front().numbers[n].code;
     const std::string code = own.empty() ? std::string(number.code) : own;
     const bool is_each = sets_each_place(target);
@@ -255,6 +245,7 @@ std::vector<std::string> code_lines(const ConvertedTarget& target, bool has_rema
   }
   // Zeros alone would look like an answer.
   if (has_remarks && !lines.empty()) {
+    lines.insert(lines.end(), lost.begin(), lost.end());
     for (const std::string& missing : target.conversions.front().missing) {
       lines.push_back(fmt::format("{} {}: it is lost", engine.comment, missing));
     }
@@ -269,37 +260,11 @@ std::vector<std::string> notes_of(const ConvertedTarget& target) {
   return notes;
 }
 
-Json to_json(const ConvertedTarget& target) {
-  Json json = spec_json(target.spec);
-  const BiasEngine& engine = *target.spec.engine;
-  json["places"] = Json::array();
-  for (const MapPlace& place : target.places) json["places"].push_back(place_json(place));
-  json["missing"] = target.conversions.front().missing;
-  json["numbers"] = Json::array();
-  for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
-    const BiasNumber& number = engine.numbers[n];
-    Json each{{"name", number.name}, {"unit", number.unit}, {"values", Json::array()}, {"reason", nullptr}};
-    for (const BiasConversion& conversion : target.conversions) {
-      const ConvertedNumber& converted = conversion.numbers[n];
-      each["values"].push_back(converted.value ? Json(*converted.value) : Json(nullptr));
-      if (!converted.value) each["reason"] = converted.reason;
-    }
-    if (const std::optional<std::vector<double>> set = set_values(target, n)) each["set"] = *set;
-    if (const std::optional<ChosenValue> chosen = choose_value(target, n)) {
-      each["chosen"] = {{"value", std::clamp(chosen->value, number.min, number.max)},
-                        {"place", target.places[chosen->place].name},
-                        {"excess", chosen->excess}};
-    }
-    json["numbers"].push_back(each);
-  }
-  json["code"] = code_lines(target);
-  return json;
-}
-
 std::vector<std::string> to_lines(const ConvertedBias& bias) {
   std::vector<std::string> lines;
   const std::string settings = settings_text(bias.source);
-  lines.push_back(fmt::format("from {}: {}{}", bias.source.engine->title, numbers_text(bias.source),
+  lines.push_back(fmt::format("from {}: {}{}", bias.source.engine->title,
+                              numbers_text(bias.source, bias.places.front().light),
                               settings.empty() ? "" : "; with " + settings));
   for (const std::string& line : unit_lines(bias)) lines.push_back(line);
   lines.emplace_back();
@@ -344,30 +309,6 @@ std::vector<std::string> conversion_notes(const ConvertedBias& bias) {
   return notes;
 }
 
-Json to_json(const ConvertedBias& bias) {
-  Json json;
-  json["from"] = spec_json(bias.source);
-  json["from"]["numbers"] = Json::object();
-  for (std::size_t i = 0; i < bias.source.numbers.size(); ++i) {
-    json["from"]["numbers"][std::string(bias.source.engine->numbers[i].name)] = bias.source.numbers[i];
-  }
-  json["map"] = Json::array();
-  for (std::size_t i = 0; i < bias.places.size(); ++i) {
-    Json place = place_json(bias.places[i]);
-    const BiasTerms& terms = bias.terms[i];
-    place["bias_m"] = terms.constant;
-    place["bias_texels"] = terms.constant / bias.places[i].texel;
-    place["bias_of_range"] = terms.constant / bias.places[i].range;
-    place["normal_offset_m"] = terms.normal;
-    place["slope"] = terms.slope;
-    json["map"].push_back(place);
-  }
-  json["to"] = Json::array();
-  for (const ConvertedTarget& target : bias.targets) json["to"].push_back(to_json(target));
-  json["notes"] = conversion_notes(bias);
-  return json;
-}
-
 std::string bias_engines_markdown() {
   std::string text = "| engine | number | default | one unit is | what it does |\n| --- | --- | --- | --- | --- |\n";
   for (const BiasEngine& engine : bias_engines()) {
@@ -376,7 +317,8 @@ std::string bias_engines_markdown() {
       const std::string what = number.term == BiasTerm::constant ? "moves the receiver towards the light"
                                : number.term == BiasTerm::slope  ? "draws casters with a polygon offset factor"
                                                                  : text_of(number.offset);
-      const std::string value = std::isnan(number.value) ? "" : fmt::format("{:.6g}", number.value);
+      std::string value = std::isnan(number.value) ? "" : fmt::format("{:.6g}", number.value);
+      if (!std::isnan(number.value_of_point)) value += fmt::format("; of a point light {:.6g}", number.value_of_point);
       text += fmt::format("| {} | `{}` | {}{} | {} | {} |\n", name, number.name, value,
                           range_of(number.min, number.max), number.formula, what);
       name.clear();

@@ -160,8 +160,10 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
       "use bias {}{}: error {}; {}{}", bias_text(curves, curve, recommended), reason_text(plateau),
       percent(recommended.mae), plateau.first.constant == plateau.last.constant ? "" : "of the swept biases ",
       range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis, curves.constants));
-  if (!plateau.has_little_acne())
-    text += fmt::format("; each of these leaves acne of more than 0.1 %, this one {}", percent(recommended.acne));
+  if (!plateau.has_little_acne()) {
+    const char* which = plateau.first.constant == plateau.last.constant ? "it leaves" : "each of these leaves";
+    text += fmt::format("; {} acne of more than 0.1 %, this one {}", which, percent(recommended.acne));
+  }
   if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";
   return text;
 }

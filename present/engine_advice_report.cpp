@@ -17,6 +17,7 @@ std::string no_number_text(const EngineAdvice& advice) {
   for (const BiasConversion& place : advice.target.conversions) {
     for (const auto& number : place.numbers) {
       if (number.reason.starts_with(no_formula)) return "not converted: " + number.reason;
+      if (!number.value && !number.is_other_kind) return "has no number for this bias: " + number.reason;
     }
   }
   return "has no number for this bias";
@@ -67,29 +68,35 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
   return lines;
 }
 
-std::vector<std::string> notes_with_offset(const EngineAdvice& advice) {
-  std::vector<std::string> notes = notes_of(advice.target);
-  // no_number_text() has said it.
-  std::erase_if(notes, [](const std::string& note) { return note.find(no_formula) != std::string::npos; });
-  if (!advice.measured && !advice.by_default) return notes;
-  const BiasEngine& engine = *advice.target.spec.engine;
+// "casts back faces and adds polygon offset factor 2.5, units 1".
+std::string own_drawing_text(const BiasEngine& engine) {
+  std::string text;
+  if (engine.faces != CasterFaces::all)
+    text = engine.faces == CasterFaces::back ? "casts back faces" : "casts front faces";
   if (engine.polygon_factor > 0.0 || engine.polygon_units > 0.0) {
-    notes.push_back(fmt::format(
-        "{}: checked again with that polygon offset: the bias found without it is kept where it is still a good one; "
-        "the errors are those with it",
-        engine.name));
+    text += fmt::format("{}adds polygon offset factor {:g}, units {:g}", text.empty() ? "" : " and ",
+                        engine.polygon_factor, engine.polygon_units);
   }
-  if (engine.faces != CasterFaces::all) {
-    notes.push_back(
-        fmt::format("{}: unless shadow.faces is set, checked again with {} faces as casters: the bias found without "
-                    "them is kept where it is still a good one; the errors are those with them",
-                    engine.name, engine.faces == CasterFaces::back ? "back" : "front"));
-  }
-  return notes;
+  return text;
 }
 
-bool draws_as_the_run(const BiasEngine& engine) {
-  return engine.polygon_factor == 0.0 && engine.polygon_units == 0.0 && engine.faces == CasterFaces::all;
+// What no_number_text() does not say.
+std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
+  std::vector<std::string> notes = notes_of(advice.target);
+  if (!is_complete(advice.target)) {
+    std::erase_if(notes, [&](const std::string& note) {
+      return note.find(no_formula) != std::string::npos ||
+             no_number_text(advice).ends_with(note.substr(note.rfind(": ")));
+    });
+  }
+  if (!advice.draws_otherwise || (!advice.measured && !advice.by_default)) return notes;
+  const BiasEngine& engine = *advice.target.spec.engine;
+  const bool is_searched = advice.measured && advice.own_bias;
+  notes.push_back(fmt::format(
+      "{}: it {}{}; {} this", engine.name, own_drawing_text(engine),
+      is_searched ? fmt::format(": the bias was searched again and is {}", length_text(*advice.own_bias)) : "",
+      advice.measured ? "the errors include" : "the error of its default numbers includes"));
+  return notes;
 }
 
 std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, const std::string& what,
@@ -97,11 +104,11 @@ std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, 
   std::vector<std::string> lines;
   for (const EngineAdvice& each : engines) {
     const char* rounded = is_complete(each.target) ? ", rounded up" : "";
-    const bool names_bias = !bias.empty() && draws_as_the_run(*each.target.spec.engine);
+    const bool names_bias = !bias.empty() && !each.draws_otherwise;
     lines.push_back(fmt::format("  {}{} in {}{}: {}", what, names_bias ? fmt::format(", {},", bias) : "",
                                 title_of(each.target.spec), rounded, engine_error_text(each)));
     for (const std::string& code : shown_numbers(each, true)) lines.push_back("    " + code);
-    for (const std::string& note : notes_with_offset(each)) lines.push_back(note_mark + note);
+    for (const std::string& note : notes_of_advice(each)) lines.push_back(note_mark + note);
   }
   return lines;
 }
@@ -115,7 +122,7 @@ std::vector<std::string> remarks_on(const std::vector<EngineAdvice>& engines) {
     if (const std::string left_out = left_out_text(each); !left_out.empty()) {
       remarks.push_back(fmt::format("{}: these numbers are {}.", each.target.spec.engine->name, left_out));
     }
-    for (const std::string& note : notes_with_offset(each)) remarks.push_back(note + ".");
+    for (const std::string& note : notes_of_advice(each)) remarks.push_back(note + ".");
   }
   return remarks;
 }

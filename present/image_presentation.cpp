@@ -132,8 +132,10 @@ Presentation present_image(const SceneFacts& scene, const LayeredImage& layers, 
       path_text(experiment));
   section.tables.insert(section.tables.begin(), statistics_table("Error of the image", s));
   add_metrics_table(section, image.metrics);
-  presentation.answers.push_back(fmt::format("image: error {} of white, {} away from shadow edges; by part: {}",
-                                             percent(s.error.mae), percent(s.mae_off_edges), parts));
+  presentation.answers.push_back(
+      fmt::format("image: error {} of white, {} over the pixels away from shadow edges; with the "
+                  "reference's input it falls by: {} (parts may overlap)",
+                  percent(s.error.mae), percent(s.mae_off_edges), parts));
   if (!warning.empty()) {
     presentation.answers.push_back("warning: " + warning);
     section.text += "\n\nWarning: " + warning + ".";

@@ -13,45 +13,9 @@
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
 #include "results/layers.h"
-#include "techniques/ao/integral.h"
 
 namespace umbrameter {
 namespace {
-
-std::string ao_technique_text(const AoParams& params) {
-  AoTechnique technique = make_technique(params);
-  const bool has_bias = find(describe(technique), "ao.bias") != nullptr;
-  AoBlurParams blur = blur_of(params);
-  const std::string kind = to_string(require(describe(blur), "ao.blur").value());
-  return fmt::format("{}, radius {}{}{}.", sampling_text(technique), metres_text(params.sampling.radius.number),
-                     has_bias ? fmt::format(", bias {}", metres_text(params.bias.depth.number)) : "",
-                     blur.kind == AoBlur::none ? "" : fmt::format(", {0}×{0} {1} blur", taps_of(blur).count, kind));
-}
-
-// "mean absolute error 10.645 to 10.752 %, mean signed error +8.974 ± 0.002 %": as many digits in both as the wider
-// interval justifies. The interval of the absolute error has no middle to name: noise of the reference only raises it.
-struct AoErrorText {
-  std::string absolute;
-  std::string with_sign;
-  bool has_interval = false;
-};
-// Less is the rounding of equal images, and of rays that all escape.
-bool is_measurable(const SampledError& error) { return !(error.mae.upper < 1e-6); }
-
-AoErrorText error_text(const SampledError& error) {
-  const Estimate& absolute = error.mae;
-  const Estimate& mean = error.mean_error;
-  const double width = 50.0 * std::max(absolute.upper - absolute.lower, mean.upper - mean.lower);
-  if (!(width > 0.0)) return {percent(absolute.value), with_sign(percent(mean.value))};
-  if (!is_measurable(error)) return {"below 0.0001 %", "0.0000 %"};
-  const int decimals = decimals_of(width, 2);
-  const double half_width = 50.0 * (mean.upper - mean.lower);
-  // Far below that of the absolute error it would read as 0.
-  const bool is_shown = half_width >= 0.5 * std::pow(10.0, -decimals);
-  const std::string interval = is_shown ? fmt::format(" ± {:.{}f}", half_width, decimals) : "";
-  return {fmt::format("{:.{}f} to {:.{}f} %", 100.0 * absolute.lower, decimals, 100.0 * absolute.upper, decimals),
-          with_sign(fmt::format("{:.{}f}{} %", 100.0 * mean.value, decimals, interval)), true};
-}
 
 std::string shown_unit(const Column& column) { return column.unit == "1" ? "%" : column.unit; }
 
@@ -276,17 +240,7 @@ std::string filter_remedy(const std::string& flag) {
                      edge_roughness_metric.name);
 }
 
-std::string no_ao_text(double error, double mean_truth) {
-  const double without = 1.0 - mean_truth;
-  if (!(error >= without)) return {};
-  return "no AO at all would be as close to the reference or closer: its error is " + percent(without);
-}
-
 bool measures_edges(const std::string& names) { return names.find(edge_roughness_metric.name) != std::string::npos; }
-
-std::string ao_limit_text(const TruthParams& params) {
-  return has_distance_limit(params) ? "up to " + metres_text(params.ao_distance.number) : "without distance limit";
-}
 
 std::string nothing_counted_text(const CountedPixels& counted) {
   constexpr std::array<std::string_view, 6> reasons = {"",
@@ -305,88 +259,6 @@ std::string nothing_counted_text(const CountedPixels& counted) {
     if (total > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", total, reasons[i]);
   }
   return fmt::format("nothing to measure: of {} pixels, {}", all, text);
-}
-
-// Nothing where the sign is within the interval.
-const char* sign_words(const Estimate& error) {
-  return error.lower > 0.0 ? ", too bright" : error.upper < 0.0 ? ", too dark" : "";
-}
-
-void add_without_ao(Presentation& presentation, double error, double mean_truth) {
-  if (const std::string warning = no_ao_text(error, mean_truth); !warning.empty()) {
-    presentation.answers.push_back("warning: " + warning);
-  } else {
-    const double without = 1.0 - mean_truth;
-    presentation.lines.push_back("  without any AO the error would be " + percent(without));
-    presentation.section.text += "\n\nWithout any AO the error would be " + percent(without) + ".";
-  }
-}
-
-Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
-  const Experiment& experiment = ao.experiment;
-  Presentation presentation;
-  ReportSection& section = presentation.section;
-  section.title = "Ambient occlusion";
-  const std::string limit = ao_limit_text(experiment.truth);
-  if (ao.truth) {
-    add_layer_figure(presentation, layers, Layer::truth_ao, {}, "Reference: ambient occlusion",
-                     fmt::format("Hemisphere rays {}, {:.0f} per pixel, {} weight.", limit,
-                                 ao.truth->precision.mean_samples, value_text(experiment, "truth.ao-weight")));
-  }
-  const std::string renderer = renderer_title(experiment);
-  const std::string technique = renderer.empty() ? std::string(title_of(make_technique(experiment.ao))) : renderer;
-  add_layer_figure(presentation, layers, Layer::raster_ao, {}, technique,
-                   renderer.empty() ? ao_technique_text(experiment.ao) : "As the engine or the file gives it.");
-  if (ao.truth) {
-    section.text = precision_text(ao.truth->precision, experiment.truth);
-    presentation.details.push_back("AO: " + offset_text(ao.truth->statistics));
-  }
-  if (!ao.statistics) {
-    if (ao.truth) {
-      presentation.answers.push_back(fmt::format("AO: rays {}; {}", limit, precision_line(ao.truth->precision)));
-    }
-    return presentation;
-  }
-  if (ao.statistics->error.pixels == 0) {
-    presentation.answers.emplace_back(
-        "AO: nothing to measure: all pixels are background; choose another view with --camera");
-    section.text += "\n\nNothing to measure: all pixels are background.";
-    return presentation;
-  }
-  const SampledError& s = ao.statistics->error;
-  add_layer_figure(presentation, layers, Layer::error_ao, {}, "Error: ambient occlusion", error_caption);
-  const AoErrorText text = error_text(s);
-  section.headlines = {
-      {"mean absolute error", text.absolute, fmt::format("of {} pixels", grouped(s.pixels))},
-      {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
-      {"mean signed error", is_measurable(s) ? with_sign(percent(s.mean_error)) : text.with_sign, "below 0: too dark"},
-  };
-  const double radius = experiment.ao.sampling.radius.number;
-  const std::optional<AoIntegral> integral = find_integral(make_technique(experiment.ao));
-  const double reach = integral ? integral->reach : radius;
-  const std::string reaches = metres_text(reach);
-  if (!renderer.empty()) {
-    section.text += fmt::format("\n\nThe reference looks for occluders {}{}.", limit,
-                                limit == "up to " + metres_text(radius)
-                                    ? ", as our ao.radius does; set truth.ao-distance to the reach of " + renderer
-                                    : "");
-  } else if (limit == "up to " + reaches) {
-    section.text += fmt::format("\n\nTechnique and reference look for occluders up to {}.", reaches);
-  } else {
-    section.text += fmt::format("\n\nThe technique looks for occluders up to {}{}, the reference {}.", reaches,
-                                reach == radius ? "" : fmt::format(" ({:.4g} times ao.radius)", reach / radius), limit);
-  }
-  section.text +=
-      " Noise in the reference can only raise the mean absolute error, which is therefore given as a range; its lower "
-      "end is corrected for this noise.";
-  section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
-  add_metrics_table(section, ao.metrics);
-  const std::string of = renderer.empty() ? technique + " radius " + metres_text(radius) : renderer;
-  presentation.answers.push_back(
-      fmt::format("AO: mean absolute error {}, mean signed error {}{} ({}{}, reference rays {})", text.absolute,
-                  text.with_sign, sign_words(s.mean_error), text.has_interval ? "95 %, over rays; " : "", of, limit));
-  add_without_ao(presentation, s.mae.value, s.mean_truth.value);
-  return presentation;
 }
 
 }  // namespace umbrameter

@@ -128,9 +128,11 @@ ReportTable caster_report(const SceneFacts& scene, const std::vector<CasterShape
     return each.contacts > 0 ? each.gap_largest.metres : -std::numeric_limits<double>::infinity();
   });
   if (farthest->contacts > 0) {
-    report.remarks.push_back(fmt::format("The largest gap of all {}: {}, {}.", casters.size(),
-                                         metres_text(farthest->gap_largest.metres),
-                                         scene.by_object.names[farthest->object]));
+    report.remarks.push_back(
+        fmt::format("The largest gap of all {}: {} ({} px), {}. A gap is any lit strip between foot and shadow, "
+                    "whatever its cause.",
+                    casters.size(), metres_text(farthest->gap_largest.metres),
+                    digits_text(farthest->gap_largest.pixels), scene.by_object.names[farthest->object]));
   }
   return report;
 }

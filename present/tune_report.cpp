@@ -51,7 +51,7 @@ std::string judged(const TuneGoal& goal, const std::string& point, std::optional
 // A number that is nearer to the best is hardly another.
 const char* runner_up_words(const TuneSummary& summary) {
   return std::ranges::all_of(summary.axes, &TuneAxis::is_word) ? "runner-up"
-                                                               : "runner-up, a twentieth of an axis away or more";
+                                                               : "runner-up, at least a twentieth of an axis away";
 }
 
 std::string comparison(const TuneSummary& summary, const char* what, const TunePoint& other,
@@ -147,15 +147,17 @@ std::string constraint_line(const TuneSummary& summary) {
   if (summary.goal.constraints.empty()) return {};
   if (!summary.result.best.score.is_kept())
     return "no point keeps every constraint in every case; this one breaks them least" + broken_text(summary);
-  return "every constraint is kept in every case";
+  return "every constraint is kept in every case of the search";
 }
 
 // The plateau of the constant bias, by the rule of every command.
 std::string bias_range_text(const TuneSummary& summary) {
   const BiasPlateau& plateau = *summary.result.plateau;
   const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
-  std::string text = "constant-bias: " + range_text(plateau, axis->axis.length_unit, "cost",
-                                                    cost_text(summary.goal, plateau.least.mae), only_of_axis);
+  const char* others = summary.axes.size() > 1 ? ", the others at the best point" : "";
+  std::string text =
+      fmt::format("constant-bias{}: ", others) +
+      range_text(plateau, axis->axis.length_unit, "cost", cost_text(summary.goal, plateau.least.mae), only_of_axis);
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
@@ -261,7 +263,8 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
                                   held.cases.size() == 1 ? held.cases.front()
                                                          : fmt::format("{} cases: {}, …, {}", held.cases.size(),
                                                                        held.cases.front(), held.cases.back()),
-                                  cost_text(absolute, held.before.score.cost), cost_text(absolute, checked.score.cost),
+                                  cost_text(absolute, held.before.score.cost),
+                                  cost_text(absolute, checked.score.cost) + kept_text(absolute, checked.score),
                                   judged(absolute, held.recommended ? "the recommended point" : "the best point",
                                          held.recommended ? held.recommended_difference : held.difference,
                                          checked.score.cost - held.before.score.cost)));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace umbrameter {
 namespace {
@@ -84,7 +85,9 @@ std::string with_unit(std::string number, std::string_view unit) {
 std::string length_text(const Length& any) {
   if (any.unit == LengthUnit::metres) return metres_text(any.number);
   const int digits = std::abs(any.number) < 1000.0 ? 3 : 4;
-  return with_unit(with_minus(fmt::format("{:.{}g}", any.number, digits)), unit_name(any.unit));
+  // Of two equally near numbers the larger, as the page's script rounds.
+  const double number = any.number * (1.0 + std::numeric_limits<double>::epsilon());
+  return with_unit(with_minus(fmt::format("{:.{}g}", number, digits)), unit_name(any.unit));
 }
 
 std::string metres_text(double metres, int digits) {

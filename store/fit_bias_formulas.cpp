@@ -54,8 +54,8 @@ constexpr std::array<const char*, formula_term_count> term_symbols = {"", "Δz",
 // Warnings about the fit itself.
 void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
   for (const auto& [term, fact, range] :
-       {std::tuple{FormulaTerm::slope, "the depth per texel", formula.depth_per_texel},
-        std::tuple{FormulaTerm::slope_radius, "the filter radius", formula.radius}}) {
+       {std::tuple{FormulaTerm::slope, "Δz, the depth per texel,", formula.depth_per_texel},
+        std::tuple{FormulaTerm::slope_radius, "r, the filter radius,", formula.radius}}) {
     if (!formula.term(term) || range.values != min_formula_values) continue;
     of.warnings.push_back(
         fmt::format("{} takes only {} values: nothing shows whether the bias is linear in it", fact, range.values));

@@ -24,7 +24,7 @@ class EnginesOfLight {
     const BiasSpec target = at_light(given, places_.front());
     EngineAdvice advice;
     advice.left_out_slope = experiment_.shadow.bias.slope;
-    std::vector<BiasTerms> terms = terms_of(drawn_by(target), layout_, places_);
+    std::vector<BiasTerms> terms = terms_of(drawn_by(target, advice), layout_, places_);
     for (BiasTerms& each : terms) each.slope = std::max(0.0, each.slope - target.engine->polygon_factor);
     advice.target = convert_terms(terms, target, places_);
     if (is_complete(advice.target)) {
@@ -45,7 +45,7 @@ class EnginesOfLight {
 
   // With the polygon offset and the casting faces that the engine always has, and the constant bias that is best with
   // them.
-  Experiment drawn_by(const BiasSpec& target) {
+  Experiment drawn_by(const BiasSpec& target, EngineAdvice& result) {
     Experiment drawn = experiment_;
     MapDepthParams& depth = drawn.shadow.map_depth;
     const MapDepthParams& own = experiment_.shadow.map_depth;
@@ -54,9 +54,12 @@ class EnginesOfLight {
         depth.polygon_offset_units == own.polygon_offset_units && depth.faces == own.faces) {
       return drawn;
     }
+    result.draws_otherwise = true;
     drawn.run.for_engines.clear();
     const BiasAdvice advice = advise_bias(stages_, drawn, light_);
-    if (!advice.withheld) drawn.shadow.bias.constant.number = named_bias(advice).constant;
+    if (advice.withheld) return drawn;
+    drawn.shadow.bias.constant.number = named_bias(advice).constant;
+    result.own_bias = drawn.shadow.bias.constant;
     return drawn;
   }
 

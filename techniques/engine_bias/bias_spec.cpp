@@ -139,7 +139,10 @@ BiasSpec default_target(const BiasEngine& engine) {
   for (const BiasSetting& setting : engine.settings) {
     spec.settings.values.push_back(setting.is_light_range ? no_default : setting.value);
   }
-  for (const BiasNumber& number : engine.numbers) spec.numbers.push_back(number.value);
+  // Open until the light is known.
+  for (const BiasNumber& number : engine.numbers) {
+    spec.numbers.push_back(std::isnan(number.value_of_point) ? number.value : no_default);
+  }
   return spec;
 }
 
@@ -149,6 +152,9 @@ BiasSpec at_light(BiasSpec spec, const MapPlace& place) {
     const bool is_open = setting.is_light_range && place.light != LightKind::directional;
     if (!is_open || !std::isnan(spec.settings.values[i])) continue;
     spec.settings.values[i] = place.light_range > 0.0 ? place.light_range : setting.value;
+  }
+  for (std::size_t i = 0; i < spec.numbers.size(); ++i) {
+    if (std::isnan(spec.numbers[i])) spec.numbers[i] = spec.engine->numbers[i].default_of(place.light);
   }
   return spec;
 }
@@ -160,7 +166,7 @@ BiasSpec parse_bias_source(std::string_view text) {
     for (const std::string_view item : split(text.substr(colon + 1), ',')) read_item(spec, item, true);
   }
   for (std::size_t i = 0; i < spec.numbers.size(); ++i) {
-    if (!std::isnan(spec.numbers[i])) continue;
+    if (!std::isnan(spec.numbers[i]) || !std::isnan(spec.engine->numbers[i].value)) continue;
     const std::string name = std::string(spec.engine->name) + ":" + std::string(spec.engine->numbers[i].name);
     throw Error(ExitCode::usage, "--from " + std::string(text), "no value given", "write --from " + name + "=0.05");
   }

@@ -18,6 +18,12 @@ std::optional<double> per_unit_of(const BiasSpec& spec, const BiasNumber& number
   return metres && std::isfinite(*metres) && *metres != 0.0 ? metres : std::nullopt;
 }
 
+// Whether the setting is the near plane, and the place is nearer.
+bool is_before_plane(const BiasSpec& spec, std::size_t setting, const MapPlace& place) {
+  const std::string_view name = spec.engine->settings[setting].name;
+  return (name == "near" || name == "minZ") && place.depth > 0.0 && place.depth < spec.settings.values[setting];
+}
+
 std::string why_unknown(const BiasSpec& spec, const BiasNumber& number, const MapPlace& place) {
   const std::optional<double> metres = number.per_unit(place, spec.settings);
   if (!metres) {
@@ -28,15 +34,19 @@ std::string why_unknown(const BiasSpec& spec, const BiasNumber& number, const Ma
     const BiasSetting& setting = spec.engine->settings[i];
     return "it needs " + std::string(setting.name) + "=, " + std::string(setting.meaning);
   }
+  for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
+    if (!is_before_plane(spec, i, place)) continue;
+    return fmt::format("the {} of this image is {:.3g} m away, nearer than {} = {:g} m", place.name, place.depth,
+                       spec.engine->settings[i].name, spec.settings.values[i]);
+  }
   return "the " + place.name + " lies outside its depth range, or its settings leave the number without effect";
 }
 
 // An engine's planes that hold a lamp's receiver, as in "three:near=0.1".
 std::string nearer_plane(const BiasSpec& spec, const MapPlace& place) {
   for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
-    const std::string name(spec.engine->settings[i].name);
-    if ((name != "near" && name != "minZ") || !(place.depth > 0.0) || place.depth >= spec.settings.values[i]) continue;
-    return fmt::format("{}:{}={:g}", spec.engine->name, name,
+    if (!is_before_plane(spec, i, place)) continue;
+    return fmt::format("{}:{}={:g}", spec.engine->name, spec.engine->settings[i].name,
                        std::pow(10.0, std::floor(std::log10(place.depth) - 1e-9)));
   }
   return {};

@@ -2,6 +2,7 @@
 // scene: a MapPlace says how large a texel and the depth range are. To add an engine, add its entry in engines.cpp.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -84,8 +85,13 @@ struct BiasNumber {
   OffsetKind offset{};       ///< BiasTerm::normal
   double min = -std::numeric_limits<double>::infinity();  ///< to which the engine itself clamps
   double max = std::numeric_limits<double>::infinity();
-  double step = 0.0;              ///< of the inspector; 0: none or unknown
-  bool takes_any_offset = false;  ///< as a target: our own flags beside the number set profile, side and direction
+  double step = 0.0;                   ///< of the inspector; 0: none or unknown
+  bool takes_any_offset = false;       ///< as a target: our own flags beside the number set profile, side and direction
+  double value_of_point = no_default;  ///< the engine's default for a point light, where it is another
+
+  double default_of(LightKind light) const {
+    return light == LightKind::point && !std::isnan(value_of_point) ? value_of_point : value;
+  }
 };
 
 struct BiasEngine {

@@ -31,6 +31,11 @@ double metres_of_depth(const Place& place, double near, double far) {
   return is_sun(place) ? far - near : place.depth * place.depth * (far - near) / (near * far);
 }
 
+BiasNumber with_value_of_point(double value, BiasNumber number) {
+  number.value_of_point = value;
+  return number;
+}
+
 Result one_metre(const Place&, const Settings&) { return 1.0; }
 Result one_texel(const Place& place, const Settings&) { return place.texel; }
 Result one_depth(const Place& place, const Settings&) { return place.range; }
@@ -297,11 +302,11 @@ std::vector<BiasEngine> other_engines() {
       {.name = "bevy",
        .title = "Bevy 0.20-dev",
        .source = "shadows.wesl @3f1f861, light.rs (factor √2), directional_light.rs",
-       .numbers = {{"shadow_depth_bias", "m", 0.02, BiasTerm::constant, one_metre, "1 m", "shadow_depth_bias: {},"},
-                   {"shadow_normal_bias", "√2 texels", 1.8, BiasTerm::normal,
-                    [](const Place& p, const Settings&) -> Result { return sqrt_2 * p.texel; }, "√2 t",
-                    "shadow_normal_bias: {},"}},
-       .note_of_lamps = "the defaults of a point light are 0.08 and 0.6"},
+       .numbers = {with_value_of_point(0.08, {"shadow_depth_bias", "m", 0.02, BiasTerm::constant, one_metre, "1 m",
+                                              "shadow_depth_bias: {},"}),
+                   with_value_of_point(0.6, {"shadow_normal_bias", "√2 texels", 1.8, BiasTerm::normal,
+                                             [](const Place& p, const Settings&) -> Result { return sqrt_2 * p.texel; },
+                                             "√2 t", "shadow_normal_bias: {},"})}},
       {.name = "filament",
        .title = "Filament",
        .source =

@@ -57,7 +57,7 @@ TEST_F(BiasFormulaRun, Warns_of_optima_at_the_end_of_the_axis_and_of_extrapolati
   EXPECT_NE(result.out.find("extrapolated for 2 combinations, one of them filter-size 5, resolution 256"),
             std::string::npos)
       << result.out;
-  EXPECT_NE(result.out.find("the filter radius takes only 2 values"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("r, the filter radius, takes only 2 values"), std::string::npos) << result.out;
   // The normal offset changes no length of the formula, so that each value of it has one.
   const Json formulas = Json::parse(text_of(out / "summary.json")).at("curves").at("formulas");
   ASSERT_EQ(formulas.size(), 6u);

@@ -8,6 +8,7 @@
 
 #include "tests/app/run_program.h"
 #include "tests/scenes/gltf_files.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -154,7 +155,19 @@ TEST(Convert, Notes_about_lamps_are_for_lamps) {
     return convert({"courtyard", "--light", light, "--from", "metres:0.05", "--to", "bevy,godot"}).err;
   };
   EXPECT_EQ(notes("sun").find("point light"), std::string::npos) << notes("sun");
-  EXPECT_NE(notes("lantern").find("the defaults of a point light are 0.08"), std::string::npos) << notes("lantern");
+  EXPECT_NE(notes("lantern").find("godot: a point light's shadow_normal_bias"), std::string::npos) << notes("lantern");
+}
+
+TEST(Convert, A_point_light_has_the_defaults_of_point_lights) {
+  const auto from = [](const char* light, const char* bias) {
+    const ProgramResult result = convert({"courtyard", "--light", light, "--from", bias, "--to", "three,metres"});
+    return result.out;
+  };
+  const std::string lantern = from("lantern", "bevy");
+  expect_words(lantern, {"shadow_depth_bias = 0.08 (m), its default; shadow_normal_bias = 0.6 (√2 texels), its default",
+                         "// bias: no number everywhere: the nearest receiver of this image is "});
+  expect_words(from("spot", "bevy"), {"shadow_depth_bias = 0.02 (m), its default"});
+  expect_words(from("lantern", "bevy:shadow_depth_bias=0.02"), {"shadow_depth_bias = 0.02 (m); "});
 }
 
 TEST(Convert, A_lamp_has_its_nearest_and_its_farthest_receiver) {

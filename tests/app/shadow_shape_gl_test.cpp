@@ -127,9 +127,10 @@ TEST_F(ShadowShapeRun, The_table_of_casters_says_how_many_it_leaves_out_and_the_
     largest = gap["largest"]["m"];
     object = caster["object"];
   }
-  expect_words(text_of(folder_ / "out/index.html"),
-               {"by caster: the 12 of " + std::to_string(shape["casters"].size()) + " with most contacts and edges",
-                "The largest gap of all " + std::to_string(shape["casters"].size()) + ": ", ", " + object + "."});
+  expect_words(
+      text_of(folder_ / "out/index.html"),
+      {"by caster: the 12 of " + std::to_string(shape["casters"].size()) + " with most contacts and edges",
+       "The largest gap of all " + std::to_string(shape["casters"].size()) + ": ", " px), " + object + ". A gap is "});
 }
 
 }  // namespace

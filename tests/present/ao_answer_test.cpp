@@ -47,7 +47,7 @@ TEST(AoAnswer, An_error_stands_beside_that_of_no_ambient_occlusion) {
   SampledError& error = ao.statistics->error;
   error.mae = {0.1, 0.1, 0.1};
   error.mean_truth = {0.8, 0.8, 0.8};
-  EXPECT_EQ(present_ao({}, ao).lines.front(), "  without any AO the error would be 20.0 %");
+  EXPECT_EQ(present_ao({}, ao).lines.front(), "  AO: without any AO its error would be 20.0 %");
   error.mean_truth = {0.95, 0.95, 0.95};
   EXPECT_EQ(present_ao({}, ao).answers.back().find(
                 "warning: no AO at all would be as close to the reference or closer: its error is 5.00 %"),
@@ -85,12 +85,14 @@ TEST(AoAnswer, A_stage_that_changes_more_than_the_error_is_said_to_be_undone_in_
   thin.mean.value = -0.05;
   thin.rms.value = 0.2;
   EXPECT_EQ(present_ao_stages({}, ao).lines.at(0),
-            "AO by stage: the stage 'thin' changes AO most: mean −5.00 %, RMS 20.0 %, partly undone by other stages; "
-            "all stages "
+            "AO by stage: 'thin' has the largest RMS, 20.0 % (mean −5.00 %), partly undone by other stages; all stages "
             "together: RMS 10.0 %");
+  statistics.total.rmse.upper = 0.2;
+  EXPECT_EQ(present_ao_stages({}, ao).lines.at(0),
+            "AO by stage: 'thin' has the largest RMS, 20.0 % (mean −5.00 %); all stages together: RMS 10.0 %");
   thin.rms.value = 0.05;
   EXPECT_EQ(present_ao_stages({}, ao).lines.at(0),
-            "AO by stage: the stage 'thin' changes AO most: mean −5.00 %, RMS 5.00 %; all stages together: RMS 10.0 %");
+            "AO by stage: 'thin' has the largest RMS, 5.00 % (mean −5.00 %); all stages together: RMS 10.0 %");
 }
 
 }  // namespace

@@ -202,7 +202,7 @@ TEST(BiasFormulas, A_bias_at_the_end_of_the_axis_is_left_out_and_extrapolated) {
   EXPECT_EQ(of.warnings[0].find("3 of 9 combinations are left out"), 0u) << of.warnings[0];
   EXPECT_EQ(of.warnings[1],
             "the formula is extrapolated for 3 combinations, one of them resolution 200, filter-size 5");
-  EXPECT_EQ(of.warnings[2].find("the filter radius takes only 2 values"), 0u) << of.warnings[2];
+  EXPECT_EQ(of.warnings[2].find("r, the filter radius, takes only 2 values"), 0u) << of.warnings[2];
 }
 
 TEST(BiasFormulas, Over_the_resolution_alone_a_figure_shows_the_bias_against_the_texel_size) {

@@ -122,7 +122,8 @@ TEST(EngineBias, Spot_and_point_lights_have_the_depth_of_a_perspective) {
   EXPECT_NEAR(terms("unity-urp:bias=2,soft=low,lightRange=6", lamp(LightKind::spot)).normal, 1.5 * 0.01 * 6 / 8, 1e-12);
   EXPECT_NEAR(terms("unity-hdrp:slopeBias=0.5", lamp(LightKind::point)).slope, 2.5, 1e-12);
   EXPECT_NEAR(terms("playcanvas:0.05", lamp(LightKind::spot)).slope, 0.5, 1e-12);
-  expect_words(converted("metres:0.1", "three:near=5", lamp(LightKind::spot)).numbers[0].reason, {"outside"});
+  expect_words(converted("metres:0.1", "three:near=5", lamp(LightKind::spot)).numbers[0].reason,
+               {"m away, nearer than near = 5 m"});
   expect_words(error_of([] { terms("godot:bias=0.1", lamp(LightKind::spot)); }), {"godot shadow_bias", "spot light"});
   expect_words(converted("metres:0.1", "unity-urp", lamp(LightKind::point)).numbers[0].reason, {"point light"});
 }
