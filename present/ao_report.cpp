@@ -146,9 +146,9 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
   const std::string of = renderer.empty() ? technique + " radius " + ao_radius_text(experiment.ao) : renderer;
-  presentation.answers.push_back(
-      fmt::format("AO: mean absolute error {}, mean signed error {}{} ({}{}, reference rays {})", text.absolute,
-                  text.with_sign, sign_words(s.mean_error), text.has_interval ? "95 %, over rays; " : "", of, limit));
+  presentation.answers.push_back(fmt::format(
+      "AO: mean absolute error {}, mean signed error {}{} ({}{}, reference rays {})", text.absolute, text.with_sign,
+      sign_words(s.mean_error), text.has_interval ? "95 % intervals, over rays; " : "", of, limit));
   add_without_ao(presentation, s.mae.value, s.mean_truth.value);
   return presentation;
 }

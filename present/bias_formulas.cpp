@@ -59,11 +59,12 @@ std::string formula_text(const BiasFormula& formula) {
 std::string errors_text(const BiasFormula& formula) {
   std::string text;
   const auto add = [&](FormulaTerm which, const char* symbol) {
-    const std::optional<Fitted> term = printed_term(formula, which);
+    const std::optional<Fitted>& term = formula.term(which);
     if (!term) return;
     const double error = term->standard_error;
     text += (text.empty() ? "standard errors " : ", ") +
             (*symbol == 0 ? metres_text(error, 2) : fmt::format("{:.2g}{}", error, symbol));
+    if (!printed_term(formula, which)) text += *symbol == 0 ? " (of a constant of 0)" : " (of a factor of 0)";
   };
   add(FormulaTerm::constant, "");
   add(FormulaTerm::slope, "·Δz");

@@ -106,7 +106,7 @@ Table formulas_table(const BiasCurves& curves) {
       for (const std::optional<Fitted>& fitted : formula.terms) {
         if (fitted) {
           const Fitted shown = rounded(*fitted);
-          row.insert(row.end(), {shown.value, shown.standard_error});
+          row.insert(row.end(), {shown.value + 0.0, shown.standard_error});  // no −0
         } else {
           row.insert(row.end(), 2, empty_cell);
         }

@@ -161,8 +161,10 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
       percent(recommended.mae), plateau.first.constant == plateau.last.constant ? "" : "of the swept biases ",
       range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis, curves.constants));
   if (!plateau.has_little_acne()) {
-    const char* which = plateau.first.constant == plateau.last.constant ? "it leaves" : "each of these leaves";
-    text += fmt::format("; {} acne of more than 0.1 %, this one {}", which, percent(recommended.acne));
+    const std::string acne = percent(recommended.acne);
+    text += plateau.first.constant == plateau.last.constant
+                ? fmt::format("; it leaves acne of {}, more than 0.1 %", acne)
+                : fmt::format("; each of these leaves acne of more than 0.1 %, this one {}", acne);
   }
   if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";
   return text;

@@ -229,8 +229,9 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
     const std::string what = each.light.empty() ? (each.kind == "ao" ? "AO" : each.kind) : each.light;
     for (const ComparedValue& value : each.values) {
       const char* cell = runs[value.run].command == "sweep" ? ", cell of least error" : "";
-      std::string line = fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, compared_text(value),
-                                     value.interval == IntervalOf::pixels ? " (95 %, over pixels and rays)" : "");
+      std::string line =
+          fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, compared_text(value),
+                      value.interval == IntervalOf::pixels ? " (95 % interval, over pixels and rays)" : "");
       if (value.verdict == Verdict::equal) {
         line += fmt::format("; equal to that of {}", runs.front().name);
       } else if (value.verdict != Verdict::base) {

@@ -164,8 +164,8 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       "{}); {}",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
-      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra), is_over_pixel ? "pixel" : "light",
-      no_advice_text(shadow)));
+      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra),
+      is_over_pixel ? "pixel" : "light; surfaces that face only a part of it count, too", no_advice_text(shadow)));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {

@@ -161,9 +161,10 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
             "one or two texels of an edge, or within half a pixel where that is more; acne may lie far from any edge."
           : "Share of the error that is too dark, and of that too bright, within a distance of the nearest edge of the "
             "hard shadow" +
-                std::string(is_soft ? " of the light's centre. Errors of the penumbra lie within its width"
+                std::string(is_soft ? " of the light's centre. Errors of a cast penumbra lie within its width"
                                     : ". Errors of the filter lie within its width") +
-                " of that edge; errors farther away have another cause.";
+                " of that edge; errors farther away have another cause" +
+                (is_soft ? ", such as surfaces that face only a part of the light." : ".");
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};
   figure.series = "part";

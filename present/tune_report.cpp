@@ -228,13 +228,13 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     best = "best point, whose bias is not recommended";
   } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
-    answers.push_back(
-        fmt::format("use {}: {} {}{}, acne {}{}; of the biases within {} of the least cost, the smallest with acne of "
-                    "at most 0.1 % in "
-                    "every case of the search: a larger one detaches shadows that these views may not show",
-                    point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae),
-                    of_cases, has_cases ? "at most " : "", percent(used.acne),
-                    result.plateau->is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : std::string("5 %")));
+    answers.push_back(fmt::format(
+        "use {}: {} {}{}, acne {}{}; {}of the biases within {} of the least cost, the smallest with acne of "
+        "at most 0.1 % in every case of the search: a larger one detaches shadows that these views may not "
+        "show",
+        point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
+        has_cases ? "at most " : "", percent(used.acne), summary.axes.size() > 1 ? "with the other values kept, " : "",
+        result.plateau->is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : std::string("5 %")));
     best = "best point, of least cost";
   }
   // With the digits of the other points, so that it reads as the smallest.

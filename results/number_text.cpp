@@ -48,7 +48,10 @@ std::string digits_text(double number, int digits) {
   if (!std::isfinite(number)) return "—";
   if (number != 0.0 && std::abs(number) < least_in_decimals) return with_minus(fmt::format("{:.1g}", number));
   if (std::abs(number) < least_with_digits) return rounded(number, decimals_of(number, 1));
-  return rounded(number, decimals_of(number, digits));
+  // 9.996 is 10.0 and not 10.00.
+  const int decimals = decimals_of(number, digits);
+  const double half = 0.5 * std::pow(10.0, -decimals);
+  return rounded(number, std::min(decimals, decimals_of(std::abs(number) + half, digits)));
 }
 
 std::string share_text(double share) { return digits_text(100.0 * share); }

@@ -161,7 +161,7 @@ void set_square_root_scale(Json& axis, bool is_x, const Json& rows, double lengt
   for (const Json& row : rows) highest = std::max(highest, row.at(is_x ? "x" : "y").get<double>());
   if (highest <= 0.0) return;
   set_range(axis, square_root_range(highest, length, is_x));
-  axis["axis"]["format"] = "~g";
+  axis["axis"]["format"] = ".6~g";
 }
 
 Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Json& rows, const FigureStyle& style) {
@@ -200,7 +200,7 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
     result["scale"]["domain"] = axis.logarithmic ? Json{1, 10} : Json{0, 1};
   } else if (is_x && std::ranges::none_of(rows, differs)) {
     result["axis"]["values"] = {rows.front().at(field)};
-    result["axis"]["format"] = "~g";
+    result["axis"]["format"] = ".6~g";
   }
   return result;
 }

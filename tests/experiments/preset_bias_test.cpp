@@ -142,10 +142,10 @@ TEST(PresetBias, Every_preset_is_its_engines_numbers_and_these_are_it) {
 
 TEST(PresetBias, The_numbers_of_a_preset_are_the_defaults_that_convert_has) {
   for (const Preset& preset : installed_presets()) {
-    // Bevy's point light has defaults of its own, which the table names in a note.
-    if (preset.numbers.empty() || preset.name == "bevy-point") continue;
-    const BiasSpec spec = parse_bias_source(preset.numbers);
-    EXPECT_EQ(spec.numbers, default_target(*spec.engine).numbers) << preset.name;
+    if (preset.numbers.empty()) continue;
+    const MapPlace place = Mapped(preset).places.front();
+    const BiasSpec spec = at_light(parse_bias_source(preset.numbers), place);
+    EXPECT_EQ(spec.numbers, at_light(default_target(*spec.engine), place).numbers) << preset.name;
   }
 }
 
