@@ -66,7 +66,8 @@ Statistics describe(EdgeStatistics& s) {
       .share("too_bright_at_edge", s.too_bright_at_edge, "too bright, at most 2 texels from a shadow edge",
              curve("Too bright at edges"))
       .share("too_bright_away", s.too_bright_away,
-             "too bright, more than 2 texels from a shadow edge: typically light bleeding, or shadow lost to the bias",
+             "too bright, more than 2 texels from a shadow edge: light bleeding, shadow lost to the bias, or a wide "
+             "blur or pixel",
              curve("Too bright away from edges"))
       .field("mean_error", s.mean_error, "1", "mean signed error, technique − reference")
       .field("max_error", s.max_error, "1", "largest absolute error")

@@ -74,7 +74,7 @@ std::string ao_limit_text(const TruthParams& params) {
 std::string no_ao_text(double error, double mean_truth) {
   const double without = 1.0 - mean_truth;
   if (!(error >= without)) return {};
-  return "no AO at all would be as close to the reference or closer: its error is " + percent(without);
+  return "no AO at all would be about as close to the reference, or closer: its error is " + percent(without);
 }
 
 void add_without_ao(Presentation& presentation, double error, double mean_truth) {

@@ -301,9 +301,12 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     std::size_t usable = 0;
     for (const CurveFormula& of : curves.formulas) usable = std::max(usable, of.points.size());
     const std::string text = fmt::format(
-        "no formula for the bias over {}: it needs three different combinations whose best bias is not at an end "
-        "of the bias axis; there {}",
-        names_of(curves.formula_axes), usable == 1 ? "is 1" : fmt::format("are {}", usable));
+        "no formula for the bias over {}: it needs three different combinations in which the bias of least error, or "
+        "that of acne at most 0.1 %, is not at an end of the bias axis; there {}",
+        names_of(curves.formula_axes),
+        usable == 0   ? "are none"
+        : usable == 1 ? "is at most 1"
+                      : fmt::format("are at most {}", usable));
     section.text += fmt::format("\n\nThere is {}. Extend the axis of the bias, or vary more values.", text);
     presentation.lines.push_back(text);
     return;

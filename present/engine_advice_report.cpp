@@ -12,15 +12,22 @@
 namespace umbrameter {
 namespace {
 
-// Why an engine's numbers cannot say this bias.
-std::string no_number_text(const EngineAdvice& advice) {
+// A number that the engine has, but not for this bias at every place.
+const ConvertedNumber* missing_number(const EngineAdvice& advice) {
   for (const BiasConversion& place : advice.target.conversions) {
-    for (const auto& number : place.numbers) {
-      if (number.reason.starts_with(no_formula)) return "not converted: " + number.reason;
-      if (!number.value && !number.is_other_kind) return "has no number for this bias: " + number.reason;
+    for (const ConvertedNumber& number : place.numbers) {
+      if (!number.value && !number.is_other_kind) return &number;
     }
   }
-  return "has no number for this bias";
+  return nullptr;
+}
+
+// Why an engine's numbers cannot say this bias.
+std::string no_number_text(const EngineAdvice& advice) {
+  const ConvertedNumber* missing = missing_number(advice);
+  if (missing == nullptr) return "has no number for this bias";
+  const char* what = missing->reason.starts_with(no_formula) ? "not converted: " : "has no number for this bias: ";
+  return what + missing->reason;
 }
 
 const std::string note_mark = "    note: ";
@@ -68,12 +75,12 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
   return lines;
 }
 
-// "casts back faces and adds polygon offset factor 2.5, units 1".
-std::string own_drawing_text(const BiasEngine& engine) {
+// "casts back faces and adds polygon offset factor 2.5, units 1": what the run does not.
+std::string own_drawing_text(const EngineAdvice& advice) {
+  const BiasEngine& engine = *advice.target.spec.engine;
   std::string text;
-  if (engine.faces != CasterFaces::all)
-    text = engine.faces == CasterFaces::back ? "casts back faces" : "casts front faces";
-  if (engine.polygon_factor > 0.0 || engine.polygon_units > 0.0) {
+  if (advice.has_own_faces) text = engine.faces == CasterFaces::back ? "casts back faces" : "casts front faces";
+  if (advice.has_own_offset) {
     text += fmt::format("{}adds polygon offset factor {:g}, units {:g}", text.empty() ? "" : " and ",
                         engine.polygon_factor, engine.polygon_units);
   }
@@ -83,17 +90,14 @@ std::string own_drawing_text(const BiasEngine& engine) {
 // What no_number_text() does not say.
 std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
   std::vector<std::string> notes = notes_of(advice.target);
-  if (!is_complete(advice.target)) {
-    std::erase_if(notes, [&](const std::string& note) {
-      return note.find(no_formula) != std::string::npos ||
-             no_number_text(advice).ends_with(note.substr(note.rfind(": ")));
-    });
+  if (const ConvertedNumber* missing = missing_number(advice)) {
+    std::erase_if(notes, [&](const std::string& note) { return note.ends_with(missing->reason); });
   }
-  if (!advice.draws_otherwise || (!advice.measured && !advice.by_default)) return notes;
-  const BiasEngine& engine = *advice.target.spec.engine;
+  const std::string own = own_drawing_text(advice);
+  if (own.empty() || (!advice.measured && !advice.by_default)) return notes;
   const bool is_searched = advice.measured && advice.own_bias;
   notes.push_back(fmt::format(
-      "{}: it {}{}; {} this", engine.name, own_drawing_text(engine),
+      "{}: it {}{}; {} this", advice.target.spec.engine->name, own,
       is_searched ? fmt::format(": the bias was searched again and is {}", length_text(*advice.own_bias)) : "",
       advice.measured ? "the errors include" : "the error of its default numbers includes"));
   return notes;
@@ -104,7 +108,7 @@ std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, 
   std::vector<std::string> lines;
   for (const EngineAdvice& each : engines) {
     const char* rounded = is_complete(each.target) ? ", rounded up" : "";
-    const bool names_bias = !bias.empty() && !each.draws_otherwise;
+    const bool names_bias = !bias.empty() && own_drawing_text(each).empty();
     lines.push_back(fmt::format("  {}{} in {}{}: {}", what, names_bias ? fmt::format(", {},", bias) : "",
                                 title_of(each.target.spec), rounded, engine_error_text(each)));
     for (const std::string& code : shown_numbers(each, true)) lines.push_back("    " + code);

@@ -116,19 +116,33 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
     section.text +=
         fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.max_error), s.max_x, s.max_y);
   }
+  // Half a pixel is the least distance from an edge.
+  const EdgeDistances* distances = shadow.shape ? &shadow.shape->error.all : nullptr;
+  if (distances != nullptr && distances->texels && distances->pixels) {
+    const double half_pixel = 0.5 * distances->texels->median / distances->pixels->median;
+    if (half_pixel > edge_band_texels) {
+      section.text += fmt::format(
+          " Half a pixel is {:.2g} texels here, so that the error of pixels beside an edge counts as away from it.",
+          half_pixel);
+      presentation.lines.push_back(
+          fmt::format("  {}: half a pixel is {:.2g} texels, so that errors beside an edge count as farther from it",
+                      title, half_pixel));
+    }
+  }
   section.headlines = {
       {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", grouped(s.pixels))},
       {"too dark away from edges", percent(s.too_dark_away), "like acne"},
       {"too dark at edges", percent(s.too_dark_at_edge), "blur and occluders in the kernel"},
       {"too bright at edges", percent(s.too_bright_at_edge), "blur and lost contact"},
-      {"too bright away from edges", percent(s.too_bright_away), "typically light bleeding; or a large bias"},
+      {"too bright away from edges", percent(s.too_bright_away),
+       "light bleeding, a large bias, or a wide blur or pixel"},
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}; {}", title,
-      percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away), percent(s.too_bright_away),
+      "{}: error {}{}; more than 2 texels from edges too dark {}, too bright {}; nearer too dark {}, too bright {}; {}",
+      title, percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away), percent(s.too_bright_away),
       percent(s.too_dark_at_edge), percent(s.too_bright_at_edge), no_advice_text(shadow)));
 }
 

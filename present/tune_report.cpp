@@ -156,11 +156,15 @@ std::string bias_range_text(const TuneSummary& summary) {
   const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
   const char* others = summary.axes.size() > 1 ? ", the others at the best point" : "";
   std::string text =
-      fmt::format("constant-bias{}: ", others) +
-      range_text(plateau, axis->axis.length_unit, "cost", cost_text(summary.goal, plateau.least.mae), only_of_axis);
+      fmt::format("constant-bias{}: ", others) + range_text(plateau, axis->axis.length_unit, "cost on the axis",
+                                                            cost_text(summary.goal, plateau.least.mae), only_of_axis);
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
-  if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
+  if (!plateau.has_little_acne()) {
+    return text + (plateau.first.constant == plateau.last.constant
+                       ? fmt::format("; it leaves acne of {}, more than 0.1 %", percent(plateau.recommended.acne))
+                       : "; each leaves acne of more than 0.1 %");
+  }
   return text + fmt::format("; of these, acne is at most 0.1 % in every case of the search from {}",
                             value_text(*axis, plateau.recommended.constant));
 }
@@ -259,10 +263,10 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const HeldOut& held = *summary.judgement.held_out;
     const TuneGoal absolute = not_relative(goal);
     const TunePoint& checked = held.recommended ? *held.recommended : held.best;
-    answers.push_back(fmt::format("held out ({}): {} → {}; {}",
-                                  held.cases.size() == 1 ? held.cases.front()
-                                                         : fmt::format("{} cases: {}, …, {}", held.cases.size(),
-                                                                       held.cases.front(), held.cases.back()),
+    answers.push_back(fmt::format("held out ({}): default {} → {}; {}",
+                                  held.cases.size() > 2 ? fmt::format("{} cases: {}, …, {}", held.cases.size(),
+                                                                      held.cases.front(), held.cases.back())
+                                                        : joined(held.cases, "; "),
                                   cost_text(absolute, held.before.score.cost),
                                   cost_text(absolute, checked.score.cost) + kept_text(absolute, checked.score),
                                   judged(absolute, held.recommended ? "the recommended point" : "the best point",

@@ -48,7 +48,10 @@ std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
   if (plateau && plateau->is_by_pixels) ends = fmt::format("; within {} wrong pixels", chance_pixels) + ends;
   const std::string outside = outside_text(summary, scan, *range);
   if (range->first == range->second)
-    return (outside.empty() ? "only " : "") + value_text(axis, range->first) + ends + outside;
+    return (!outside.empty()     ? ""
+            : axis.is_continuous ? "only "
+                                 : "of the axis only ") +
+           value_text(axis, range->first) + ends + outside;
   return pair_text(axis, range->first, range->second, " to ") + ends + outside;
 }
 
@@ -101,7 +104,7 @@ Table sensitivity_table(const TuneSummary& summary) {
        {"best", "", "value of least cost"},
        {"within 5 %", "",
         "range around it in which the cost is at most 5 % higher, or 3 wrong pixels where that is more: of a constant "
-        "bias from its whole curve, else of the measured values"},
+        "bias from its whole curve where that was measured, else of the measured values"},
        {"highest measured", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};
   for (const AxisScan& scan : summary.result.scans) {

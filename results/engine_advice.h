@@ -16,7 +16,8 @@ struct EngineAdvice {
   std::optional<BiasCell> measured{};    ///< with set_values(); `constant` and `slope` are not set
   std::optional<BiasCell> by_default{};  ///< with the engine's defaults, likewise
   std::string why_not_measured{};        ///< which part of set_values() our parameters cannot say
-  bool draws_otherwise = false;          ///< other casters, or a polygon offset that the run does not have
+  bool has_own_faces = false;            ///< it casts faces, and
+  bool has_own_offset = false;           ///< adds a polygon offset, that the run does not
   std::optional<Length> own_bias{};      ///< the constant bias that was then found with these, if one could be
   double left_out_slope = 0.0;           ///< the run's shadow.slope-bias, which `measured` and `by_default` are without
 };

@@ -50,11 +50,10 @@ class EnginesOfLight {
     MapDepthParams& depth = drawn.shadow.map_depth;
     const MapDepthParams& own = experiment_.shadow.map_depth;
     draw_as(depth, *target.engine);
-    if (depth.polygon_offset_factor == own.polygon_offset_factor &&
-        depth.polygon_offset_units == own.polygon_offset_units && depth.faces == own.faces) {
-      return drawn;
-    }
-    result.draws_otherwise = true;
+    result.has_own_faces = depth.faces != own.faces;
+    result.has_own_offset = depth.polygon_offset_factor != own.polygon_offset_factor ||
+                            depth.polygon_offset_units != own.polygon_offset_units;
+    if (!result.has_own_faces && !result.has_own_offset) return drawn;
     drawn.run.for_engines.clear();
     const BiasAdvice advice = advise_bias(stages_, drawn, light_);
     if (advice.withheld) return drawn;

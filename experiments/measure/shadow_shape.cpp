@@ -137,7 +137,8 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   CasterShapes casters = analyze_casters(
       {input, raster.visibility, raster.wrong, traced.instance, traced.distance, stages.scene(), surfels->view});
   const std::string missing = missing_contacts_text(casters.search);
-  if (!missing.empty() && causes->peter_panning > 0.0) {
+  // As little as acne that nobody sees.
+  if (!missing.empty() && causes->peter_panning > little_acne_share) {
     stages.add_notes({stages.title(shadow.light) + ": there is peter-panning, but " + missing});
   }
   return {analyze_error_shape(input, raster.wrong), std::move(casters.casters), casters.search, std::nullopt,

@@ -299,6 +299,15 @@ TEST_F(Answers, Where_no_bias_is_recommended_the_reason_is_that_of_the_technique
   expect_words(of_box({"--light.angle", "2"}), {"acne can be counted only in a hard shadow (--light.angle 0)"});
 }
 
+TEST_F(Answers, Where_pixels_are_wider_than_the_band_at_edges_it_is_said_so) {
+  const std::vector<std::string> vsm = {
+      "compare", "courtyard",          "--light", "spot", "--measure",     "shadows", "--no-figures",
+      "--force", "--shadow.technique", "vsm",     "-o",   folder_ / "out", "--size",  "160x90"};
+  expect_words(run_program(vsm).out, {"more than 2 texels from edges too dark ", "  spot: half a pixel is "});
+  const std::string coarse = run_program(words(vsm, {"--shadow.resolution", "128"})).out;
+  EXPECT_EQ(coarse.find("half a pixel"), std::string::npos) << coarse;
+}
+
 TEST_F(Answers, A_sweep_names_every_technique_with_the_least_error) {
   const ProgramResult result =
       run_program({"sweep", "contact-box", "--light", "sun", "--vary", "shadow.technique=pcss,vsm,pcf", "--size",

@@ -185,6 +185,22 @@ TEST_F(ForEngines, A_slope_bias_that_no_engine_has_is_left_out_of_its_error) {
                {"three: these numbers are without shadow.slope-bias 1.5, for which it has no number."});
 }
 
+TEST_F(ForEngines, What_an_engine_draws_otherwise_than_the_run_is_said_with_the_bias_found_for_it) {
+  const auto lines = [&](const std::vector<std::string>& more) {
+    return run_program(words({"compare", "courtyard", "-o", folder_ / "out", "--force", "--light", "sun", "--size",
+                              "160x90", "--measure", "shadows", "--no-figures"},
+                             more))
+        .out;
+  };
+  expect_words(lines({"--for", "three"}),
+               {"note: three: it casts back faces: the bias was searched again and is ", "; the errors include this"});
+  const std::string set = lines({"--for", "three", "--shadow.faces", "back"});
+  EXPECT_EQ(set.find("it casts"), std::string::npos) << set;
+  // Filament has both; the run's own faces stay.
+  const std::string filament = lines({"--for", "filament", "--shadow.faces", "back"});
+  expect_words(filament, {"note: filament: it adds polygon offset factor 0, units 0.5: "});
+}
+
 TEST_F(ForEngines, A_sweep_and_a_tuning_state_their_best_bias) {
   const std::vector<std::string> common = {
       "--light", "sun",          "--size", "160x90",  "--no-figures",        "--quiet",

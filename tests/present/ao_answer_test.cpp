@@ -50,7 +50,7 @@ TEST(AoAnswer, An_error_stands_beside_that_of_no_ambient_occlusion) {
   EXPECT_EQ(present_ao({}, ao).lines.front(), "  AO: without any AO its error would be 20.0 %");
   error.mean_truth = {0.95, 0.95, 0.95};
   EXPECT_EQ(present_ao({}, ao).answers.back().find(
-                "warning: no AO at all would be as close to the reference or closer: its error is 5.00 %"),
+                "warning: no AO at all would be about as close to the reference, or closer: its error is 5.00 %"),
             0u)
       << present_ao({}, ao).answers.back();
 }
