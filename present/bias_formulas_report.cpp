@@ -307,7 +307,10 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
         usable == 0   ? "are none"
         : usable == 1 ? "is at most 1"
                       : fmt::format("are at most {}", usable));
-    section.text += fmt::format("\n\nThere is {}. Extend the axis of the bias, or vary more values.", text);
+    const bool has_enough = std::ranges::any_of(
+        curves.formulas, [](const CurveFormula& of) { return of.points.size() + of.left_out >= 3; });
+    section.text += fmt::format("\n\nThere is {}. {}.", text,
+                                has_enough ? "Extend the axis of the bias" : "Vary more values of these parameters");
     presentation.lines.push_back(text);
     return;
   }

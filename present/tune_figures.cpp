@@ -96,7 +96,8 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
   const Column& y = goal.columns[objectives[1]];
   const auto label = [&](std::size_t column) {
     const std::string& unit = goal.columns[column].unit;
-    return fmt::format("{} [{}]", column_words(goal, column), unit == "1" ? "%" : unit);
+    return fmt::format("{}{} [{}]", column_words(goal, column), of_cases_text(goal, summary.cases.size()),
+                       unit == "1" ? "%" : unit);
   };
   const auto number = [](const Column& column, double value) { return column.unit == "1" ? 100.0 * value : value; };
   PlotFigure plot;
@@ -107,6 +108,9 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
       "the "
       "constraints.",
       column_words(goal, objectives[1]), column_words(goal, objectives[0]));
+  if (!goal.constraints.empty() && summary.cases.size() > 1 && !goal.is_worst_case) {
+    plot.caption += " A point whose mean keeps a constraint may break it in a case.";
+  }
   plot.x = {"x", label(objectives[0])};
   plot.y = {"y", label(objectives[1])};
   plot.mark = "best";

@@ -58,12 +58,11 @@ std::string comparison(const TuneSummary& summary, const char* what, const TuneP
                        const std::optional<Estimate>& difference) {
   const TuneGoal& goal = summary.goal;
   const TunePoint& best = summary.result.best;
-  std::string verdict = judged(goal, "the best point", difference, best.score.cost - other.score.cost);
-  if (best.score.is_kept() && !other.score.is_kept()) {
-    verdict += fmt::format("; the {} breaks a constraint that the best point keeps", what);
-  }
-  return fmt::format("{}, {}: {}; {}", what, point_text(summary.axes, other.values), cost_text(goal, other.score.cost),
-                     verdict);
+  const bool breaks = best.score.is_kept() && !other.score.is_kept();
+  return fmt::format("{}, {}: {}{}; {}", what, point_text(summary.axes, other.values),
+                     cost_text(goal, other.score.cost),
+                     breaks ? ", but breaks a constraint that the best point keeps" : "",
+                     judged(goal, "the best point", difference, best.score.cost - other.score.cost));
 }
 
 Table case_table(const TuneSummary& summary) {
@@ -108,7 +107,8 @@ Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& fron
   Table table;
   for (const TuneAxis& axis : summary.axes) table.columns.push_back({axis.key(), "", "value"});
   for (const std::size_t c : objectives_of(summary.goal)) {
-    table.columns.push_back({column_words(summary.goal, c), "", summary.goal.columns[c].meaning});
+    table.columns.push_back({column_words(summary.goal, c) + of_cases_text(summary.goal, summary.cases.size()), "",
+                             summary.goal.columns[c].meaning});
   }
   constexpr std::size_t max_rows = 30;
   for (const std::size_t i : thin(front.size(), max_rows).indices) {
@@ -154,10 +154,11 @@ std::string constraint_line(const TuneSummary& summary) {
 std::string bias_range_text(const TuneSummary& summary) {
   const BiasPlateau& plateau = *summary.result.plateau;
   const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
-  const char* others = summary.axes.size() > 1 ? ", the others at the best point" : "";
-  std::string text =
-      fmt::format("constant-bias{}: ", others) + range_text(plateau, axis->axis.length_unit, "cost on the axis",
-                                                            cost_text(summary.goal, plateau.least.mae), only_of_axis);
+  const bool is_free = summary.goal.constraints.empty();
+  std::string text = fmt::format("constant-bias{}{}: ", summary.axes.size() > 1 ? ", the others at the best point" : "",
+                                 is_free ? "" : ", where the constraints are kept") +
+                     range_text(plateau, axis->axis.length_unit, is_free ? "cost on the axis" : "cost there",
+                                cost_text(summary.goal, plateau.least.mae), only_of_axis);
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) {
@@ -222,24 +223,23 @@ std::optional<std::string> end_of_axis_text(const TuneAxis& axis, const Value& v
 void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) {
   const TuneResult& result = summary.result;
   const TuneGoal& goal = summary.goal;
-  const char* best = "best";
+  std::string best = "best";
+  const char* where_kept = goal.constraints.empty() ? "" : " where the constraints are kept";
   const bool has_cases = summary.cases.size() > 1;
-  const std::string of_cases =
-      has_cases ? fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())
-                : "";
+  const std::string of_cases = of_cases_text(goal, summary.cases.size());
   if (result.withheld) {
     answers.push_back("no bias recommended: " + withheld_text(*result.withheld, result.evidence));
     best = "best point, whose bias is not recommended";
   } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
     answers.push_back(fmt::format(
-        "use {}: {} {}{}, acne {}{}; {}of the biases within {} of the least cost, the smallest with acne of "
+        "use {}: {} {}{}, acne {}{}; {}of the biases within {} of the least cost{}, the smallest with acne of "
         "at most 0.1 % in every case of the search: a larger one detaches shadows that these views may not "
         "show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
         has_cases ? "at most " : "", percent(used.acne), summary.axes.size() > 1 ? "with the other values kept, " : "",
-        result.plateau->is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : std::string("5 %")));
-    best = "best point, of least cost";
+        result.plateau->is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : std::string("5 %"), where_kept));
+    best = std::string("best point, of least cost") + where_kept;
   }
   // With the digits of the other points, so that it reads as the smallest.
   const std::string plain = cost_text(goal, result.best.score.cost);

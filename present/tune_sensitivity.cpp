@@ -104,7 +104,8 @@ Table sensitivity_table(const TuneSummary& summary) {
        {"best", "", "value of least cost"},
        {"within 5 %", "",
         "range around it in which the cost is at most 5 % higher, or 3 wrong pixels where that is more: of a constant "
-        "bias from its whole curve where that was measured, else of the measured values"},
+        "bias from its whole curve where that was measured, else of the measured values; values that break a "
+        "constraint are outside"},
        {"highest measured", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};
   for (const AxisScan& scan : summary.result.scans) {

@@ -38,6 +38,10 @@ std::string cost_unit(const TuneGoal& goal) {
   return unit;
 }
 
+std::string of_cases_text(const TuneGoal& goal, std::size_t cases) {
+  return cases > 1 ? fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", cases) : "";
+}
+
 std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval) {
   const std::string unit = cost_unit(goal);
   if (!interval || !(interval->upper > interval->lower)) return statistic_text(value, unit);

@@ -111,6 +111,18 @@ TEST_F(Tune, Says_of_which_of_several_cases_a_number_is) {
   expect_words(result.out, {" %, the mean of 2 cases, acne at most ", "), the mean of 2 cases\n", "highest measured"});
 }
 
+TEST_F(Tune, Its_range_and_its_front_say_what_the_constraints_cut) {
+  const ProgramResult result =
+      run_program({"tune", "courtyard", "-o", folder_ / "kept", "--size", "160x90", "--no-figures", "--over",
+                   "view.camera=all", "--constraint", "acne<0.1%", "--vary", "shadow.constant-bias=0:8texels"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_words(result.out, {"of the least cost where the constraints are kept, the smallest with",
+                            "constant-bias, where the constraints are kept: ", " of the least cost there, ",
+                            " %, but breaks a constraint that the best point keeps; "});
+  expect_words(text_of(folder_ / "kept/index.html"),
+               {"mean absolute error, the mean of 6 cases", "acne, the mean of 6 cases"});
+}
+
 TEST_F(Tune, Over_several_lights_and_parameters_beats_the_default_and_repeats_to_the_bit) {
   const std::vector<std::string> flags = {"--vary",        "shadow.constant-bias=0:8texels",
                                           "--vary",        "shadow.slope-bias=0:4",
