@@ -167,6 +167,24 @@ std::string subtitle_of(const std::vector<StoredRun>& runs, const std::vector<fs
   return joined(runs, ", ", &StoredRun::name) + (is_shared && !views.front().empty() ? ": " + views.front() : "");
 }
 
+// Whether an equal bias in texels is another length in another run.
+bool is_bias_another_length(const std::vector<StoredRun>& runs) {
+  const auto has_texels = [](const StoredRun& run) {
+    const auto found =
+        std::ranges::find(run.parameters, "shadow.constant-bias", &std::pair<std::string, std::string>::first);
+    return found != run.parameters.end() && found->second.ends_with("texels");
+  };
+  const auto texels = [](const StoredRun& run) {
+    std::vector<double> sizes;
+    for (const MeasuredStatistic& each : run.statistics) {
+      if (each.name == "mean_texel") sizes.push_back(each.value);
+    }
+    return sizes;
+  };
+  return std::ranges::all_of(runs, has_texels) &&
+         std::ranges::any_of(runs, [&](const StoredRun& run) { return texels(run) != texels(runs.front()); });
+}
+
 Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders,
                    const std::vector<PartTables>& parts, const std::vector<ReportSection>& figures) {
   Report report;
@@ -181,6 +199,9 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     const Table table = differing_parameters(runs);
     section.text = table.rows.empty() ? "All parameters are equal; the page of each run lists them under 'Settings'."
                                       : "All others are equal; the page of each run lists them under 'Settings'.";
+    if (is_bias_another_length(runs)) {
+      section.text += " The texels differ in size, so that one bias in texels is another length in each run.";
+    }
     if (!table.rows.empty()) section.tables.push_back({"Parameters that differ", table});
     report.sections.push_back(std::move(section));
   }

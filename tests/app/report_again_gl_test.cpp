@@ -60,6 +60,27 @@ TEST_F(ReportAgain, Of_two_runs_says_what_was_measured_and_with_which_technique)
     EXPECT_NE(page.find(technique), std::string::npos) << technique;
   }
   EXPECT_NE(page.find("All others are equal; the page of each run lists them"), std::string::npos);
+  EXPECT_EQ(page.find("another length"), std::string::npos);
+}
+
+TEST_F(ReportAgain, Of_two_resolutions_says_that_a_bias_in_texels_is_another_length_in_each) {
+  const auto page_of = [&](const std::string& bias) {
+    std::vector<std::string> report = {"report"};
+    for (const std::string resolution : {"64", "128"}) {
+      report.push_back(folder_ / (bias + resolution));
+      EXPECT_EQ(
+          run_program(words({"compare", "contact-box", "--light", "sun", "--measure", "visibility", "--no-figures",
+                             "--shadow.resolution", resolution, "--shadow.constant-bias", bias, "-o", report.back()},
+                            small))
+              .exit_code,
+          0);
+    }
+    EXPECT_EQ(run_program(words(report, {"-o", folder_ / (bias + "both")})).exit_code, 0);
+    return text_of(folder_ / (bias + "both/index.html"));
+  };
+  const char* text = "one bias in texels is another length in each run.";
+  EXPECT_NE(page_of("1.5texels").find(text), std::string::npos);
+  EXPECT_EQ(page_of("0.02").find(text), std::string::npos);
 }
 
 TEST_F(ReportAgain, The_title_of_a_tuning_over_two_scenes_names_both) {
