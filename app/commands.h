@@ -41,7 +41,7 @@ StageOptions stage_options(const CommandLine& line, const Console& console, cons
 void check_bias_engines(const Experiment& experiment, bool measures_shadows);
 
 /// Notes the lights without the extent that the technique takes its kernel from.
-void add_technique_notes(Stages& stages, Experiment experiment, const std::vector<std::uint32_t>& lights);
+void add_technique_notes(Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights);
 
 /// Notes the factors of cascades, and each preset: what differs in its engine, and which of the lights it is not for.
 void add_setting_notes(Stages& stages, const CommandLine& line, const Experiment& experiment,

@@ -22,6 +22,7 @@
 #include "experiments/settings/sweep.h"
 #include "experiments/stages/reference_cache.h"
 #include "experiments/sweep/sweep_evaluator.h"
+#include "present/presentation_parts.h"
 #include "present/run_output.h"
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
@@ -170,16 +171,15 @@ void add_setting_notes(Stages& stages, const CommandLine& line, const Experiment
   }
 }
 
-void add_technique_notes(Stages& stages, Experiment experiment, const std::vector<std::uint32_t>& lights) {
+void add_technique_notes(Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights) {
   if (stages.has_engine() || !capabilities_of(make_technique(experiment.shadow)).reads_light_extent) return;
-  const std::string technique = to_string(require(describe(experiment), "shadow.technique").value());
   for (const std::uint32_t light : lights) {
     const Light lamp = with_extent(stages.scene().lights[light], experiment.light);
     if (is_area(lamp)) continue;
     const bool is_sun = std::holds_alternative<DirectionalLight>(lamp.shape);
     stages.add_notes(
         {fmt::format("{} has no extent, so that {} reads its map like pcf with filter nearest; set --light.{}",
-                     stages.title(light), technique, is_sun ? "angle" : "radius")});
+                     stages.title(light), value_text(experiment, "shadow.technique"), is_sun ? "angle" : "radius")});
   }
 }
 

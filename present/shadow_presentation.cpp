@@ -121,12 +121,11 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
   if (distances != nullptr && distances->texels && distances->pixels) {
     const double half_pixel = 0.5 * distances->texels->median / distances->pixels->median;
     if (half_pixel > edge_band_texels) {
-      section.text += fmt::format(
-          " Half a pixel is {:.2g} texels here, so that the error of pixels beside an edge counts as away from it.",
-          half_pixel);
-      presentation.lines.push_back(
-          fmt::format("  {}: half a pixel is {:.2g} texels, so that errors beside an edge count as farther from it",
-                      title, half_pixel));
+      const std::string text = fmt::format(
+          "half a pixel is about {:.2g} texels, so that errors beside an edge count as more than {:g} texels from it",
+          half_pixel, edge_band_texels);
+      section.text += " Here " + text + ".";
+      presentation.lines.push_back(fmt::format("  {}: {}", title, text));
     }
   }
   section.headlines = {
@@ -157,9 +156,10 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   section.text +=
       ", so a single tap is neither right nor wrong and has no cause of error. The error is split into too dark and "
       "too bright instead. ";
-  section.text += capabilities_of(shadow).sums_comparisons
-                      ? "Causes need a binary reference: --truth.shadow point takes the light's centre alone."
-                      : "This technique has causes against no reference: it does not sum depth comparisons.";
+  section.text +=
+      capabilities_of(shadow).sums_comparisons
+          ? "Causes need a binary reference: --truth.shadow point takes the light's centre alone."
+          : "This technique has no causes against any reference, because it does not sum depth comparisons.";
   if (s.error.max_x >= 0) {
     section.text += fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.error.max_error),
                                 s.error.max_x, s.error.max_y);

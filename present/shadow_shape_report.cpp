@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t max_casters = 12;  // that the page lists
 
 constexpr std::string_view units_note =
-    "Metres lie along the surface; texels count only the part across the light. Median and largest are of each unit by "
-    "itself.";
+    "Metres lie along the surface; texels count only the part across the light. Median and largest are taken in each "
+    "unit separately.";
 
 constexpr std::array<std::string_view, 2> soft_titles = {"too dark", "too bright"};
 

@@ -137,7 +137,7 @@ BiasEngine three() {
       .source =
           "npm three 0.187.0: shadowmap_pars_fragment.glsl.js, shadowmap_vertex.glsl.js, "
           "DirectionalLightShadow.js, examples/jsm/csm/CSM.js",
-      .numbers = {{"bias", "of its own depth", 0.0, BiasTerm::constant,
+      .numbers = {{"bias", "of its depth range", 0.0, BiasTerm::constant,
                    [](const Place& p, const Settings& s) -> Result { return -metres_of_depth(p, s["near"], s["far"]); },
                    "−(far − near); of spot and point lights −d² (far − near) / (near · far) at depth d",
                    "light.shadow.bias = {};"},
@@ -165,7 +165,7 @@ BiasEngine babylon() {
           "npm @babylonjs/core 9.35.0: shadowMapVertexMetric.js, shadowMapVertexNormalBias.js, "
           "shadowGenerator.js, directionalLight.pure.js",
       .numbers =
-          {{"bias", "of its own depth", 5e-5, BiasTerm::constant,
+          {{"bias", "of its depth range", 5e-5, BiasTerm::constant,
             [](const Place& p, const Settings& s) -> Result {
               const double near = s["minZ"];
               const double far = s["maxZ"];
@@ -346,7 +346,7 @@ std::vector<BiasEngine> other_engines() {
       {.name = "stride",
        .title = "Stride",
        .source = "ShadowMapReceiverBase.sdsl @3e83da5, LightShadowMap.cs (defaults)",
-       .numbers = {{"DepthBias", "of its own depth", 0.01, BiasTerm::constant,
+       .numbers = {{"DepthBias", "of its depth range", 0.01, BiasTerm::constant,
                     [](const Place& p, const Settings&) { return of_sun(p, p.range); }, "R",
                     "shadow.BiasParameters.DepthBias = {}f;"},
                    {"NormalOffsetScale",

@@ -57,16 +57,6 @@ class StagesGl : public ContactBoxGl {
     return all;
   }
 
-  // The given value and another one: fresh stages are what the test waits for. Techniques and filters are drawn by code
-  // of their own, so that each of them is a value.
-  static std::vector<std::string> values_to_vary(const Parameter& parameter) {
-    std::vector<std::string> values = values_of(parameter);
-    if (parameter.key.ends_with(".technique") || parameter.key == "shadow.filter" || values.size() < 2) return values;
-    const std::string given = to_string(parameter.value());
-    const auto other = std::ranges::find_if(values, [&](const std::string& each) { return each != given; });
-    return {given, *other};
-  }
-
   void expect_fresh(const std::vector<std::string>& settings, const Groups& groups) const {
     const std::unique_ptr<Stages> kept = make_stages();
     Experiment experiment = base(settings);
@@ -74,7 +64,7 @@ class StagesGl : public ContactBoxGl {
     std::size_t varied = 0;
     for (const Parameter& parameter : describe(experiment)) {
       const bool selects_scene = parameter.key.starts_with("scene.") || parameter.key == "view.scene";
-      const std::vector<std::string> values = values_to_vary(parameter);
+      const std::vector<std::string> values = values_of(parameter);
       const bool is_in_groups =
           std::ranges::any_of(groups, [&](std::string_view group) { return parameter.key.starts_with(group); });
       if (selects_scene || values.size() < 2 || !is_in_groups) continue;
