@@ -3,13 +3,6 @@
 #include <cmath>
 
 namespace umbrameter {
-namespace {
-
-// The share of a part of the error that lies at an edge; none where the reference has no edge.
-double share_at_edge(const EdgeDistances& part) { return part.texels ? part.within[two_texels] : 0.0; }
-
-}  // namespace
-
 EdgeStatistics analyze_edges(const ShapeInput& input, const Image<float>& technique, const ErrorShape& shape) {
   const TruthCounts counts = count_truth(input.truth, input.counted);
   EdgeStatistics statistics;
@@ -40,9 +33,9 @@ EdgeStatistics analyze_edges(const ShapeInput& input, const Image<float>& techni
   const EdgeDistances& bright = shape.parts[1];
   const double too_dark = 0.5 * (statistics.mae - statistics.mean_error);
   const double too_bright = 0.5 * (statistics.mae + statistics.mean_error);
-  statistics.too_dark_at_edge = too_dark * share_at_edge(dark);
+  statistics.too_dark_at_edge = too_dark * dark.at_edge;
   statistics.too_dark_away = too_dark - statistics.too_dark_at_edge;
-  statistics.too_bright_at_edge = too_bright * share_at_edge(bright);
+  statistics.too_bright_at_edge = too_bright * bright.at_edge;
   statistics.too_bright_away = too_bright - statistics.too_bright_at_edge;
   return statistics;
 }
@@ -59,15 +52,16 @@ Statistics describe(EdgeStatistics& s) {
       .share("mae", s.mae, "mean absolute error of visibility",
              {"Mean absolute error of visibility", "mean absolute error [% of counted pixels]", true})
       .field("rmse", s.rmse, "1", "RMS error of visibility")
-      .share("too_dark_away", s.too_dark_away, "too dark, more than 2 texels from a shadow edge: like acne",
+      .share("too_dark_away", s.too_dark_away,
+             "too dark, more than 2 texels from a shadow edge and not beside it: like acne",
              curve("Too dark away from edges"))
-      .share("too_dark_at_edge", s.too_dark_at_edge, "too dark, at most 2 texels from a shadow edge",
-             curve("Too dark at edges"))
-      .share("too_bright_at_edge", s.too_bright_at_edge, "too bright, at most 2 texels from a shadow edge",
-             curve("Too bright at edges"))
+      .share("too_dark_at_edge", s.too_dark_at_edge,
+             "too dark, at most 2 texels from a shadow edge or in a pixel beside it", curve("Too dark at edges"))
+      .share("too_bright_at_edge", s.too_bright_at_edge,
+             "too bright, at most 2 texels from a shadow edge or in a pixel beside it", curve("Too bright at edges"))
       .share("too_bright_away", s.too_bright_away,
-             "too bright, more than 2 texels from a shadow edge: light bleeding, shadow lost to the bias, or a wide "
-             "blur or pixel",
+             "too bright, more than 2 texels from a shadow edge and not beside it: light bleeding, shadow lost to the "
+             "bias, or a wide blur",
              curve("Too bright away from edges"))
       .field("mean_error", s.mean_error, "1", "mean signed error, technique − reference")
       .field("max_error", s.max_error, "1", "largest absolute error")

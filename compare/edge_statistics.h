@@ -9,11 +9,7 @@
 
 namespace umbrameter {
 
-/// Maximum distance from an edge at which an error counts as at the edge. It is measured perpendicular to the light's
-/// direction, in map texels at the edge.
-inline constexpr double edge_band_texels = edge_reaches[two_texels];
-
-/// All shares are of the counted pixels, 0 to 1; mae is the sum of the four parts.
+/// All shares are of the counted pixels, 0 to 1; mae is the sum of the four parts. At an edge: EdgeDistances::at_edge.
 struct EdgeStatistics {
   std::uint64_t pixels = 0;  ///< counted: facing the light, inside its map, cone and range
   double lit = 0.0;          ///< share that is lit in the reference

@@ -20,6 +20,10 @@ struct WrongPixel {
 };
 constexpr std::size_t unit_count = 3;
 
+bool is_at_edge(const WrongPixel& pixel) {
+  return pixel.distance[1] <= edge_band_texels || pixel.distance[0] <= edge_band_px;
+}
+
 std::array<float, unit_count> distances_at(const ShapeInput& input, const NearestEdges& nearest, std::size_t pixel) {
   const dvec3 edge = position_of(nearest.edge[pixel], input.gbuffer);
   const dvec3 way = dvec3(input.gbuffer.position[pixel]) - edge;
@@ -117,6 +121,7 @@ ErrorShape measure_distances(const ShapeInput& input, std::size_t part_count, do
   const ShadowEdges edges = find_shadow_edges(hard, input.gbuffer, input.counted);
   const NearestEdges nearest = nearest_edges(edges);
   std::vector<EdgeDistances> parts(part_count + 1);
+  std::vector<double> at_edge(parts.size());  // weight of each part
   std::vector<WrongPixel> wrong;
   for (std::size_t i = 0; i < input.truth.size(); ++i) {
     if (input.counted.exclusion[i] != PixelExclusion::none) continue;
@@ -128,9 +133,16 @@ ErrorShape measure_distances(const ShapeInput& input, std::size_t part_count, do
     }
     if (sum == 0.0) continue;
     parts[part_count].weight += sum;
-    if (edges.count > 0) wrong.push_back({distances_at(input, nearest, i), weights});
+    if (edges.count == 0) continue;
+    wrong.push_back({distances_at(input, nearest, i), weights});
+    if (!is_at_edge(wrong.back())) continue;
+    for (std::size_t p = 0; p < part_count; ++p) at_edge[p] += weights[p];
+    at_edge[part_count] += sum;
   }
-  for (EdgeDistances& part : parts) part.weight /= unit_weight;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (parts[p].weight > 0.0) parts[p].at_edge = at_edge[p] / parts[p].weight;
+    parts[p].weight /= unit_weight;
+  }
   if (!wrong.empty()) parallel_for(unit_count, [&](std::size_t unit) { spread_over(wrong, unit, parts); });
   ErrorShape shape;
   shape.edges = edges.count;

@@ -25,6 +25,8 @@ struct Spread {
 inline constexpr std::array<double, 10> edge_reaches = {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0};
 inline constexpr std::size_t one_texel = 2;   ///< index of 1 texel in edge_reaches
 inline constexpr std::size_t two_texels = 3;  ///< index of 2 texels in edge_reaches
+inline constexpr double edge_band_texels = edge_reaches[two_texels];
+inline constexpr double edge_band_px = 0.5;  ///< from the middle of an edge to the centres of its two pixels
 
 /// How far a part of the error lies from the shadow edges.
 struct EdgeDistances {
@@ -36,6 +38,9 @@ struct EdgeDistances {
   std::optional<Spread> metres;  ///< in the world
   /// Share of the part's weight within each distance of edge_reaches.
   std::array<double, edge_reaches.size()> within{};
+  /// Share of the part's weight at an edge: at most edge_band_texels from it, or in a pixel beside it, whose distance
+  /// is half a pixel at least however far that is in texels. 0 if there is no edge.
+  double at_edge = 0.0;
 };
 
 /// Names of the parts of a soft shadow's error, by sign. The parts of a hard shadow's error have cause_names.

@@ -110,23 +110,11 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
   section.text += fmt::format(
       "\n\nThis technique does not sum depth comparisons, so no single tap is right or wrong and its error has no "
       "causes. The error is split by sign and by distance to the reference's shadow edges instead; at an edge means at "
-      "most {:g} texels from it.",
+      "most {:g} texels from it, or in a pixel beside it.",
       edge_band_texels);
   if (s.max_x >= 0) {
     section.text +=
         fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.max_error), s.max_x, s.max_y);
-  }
-  // Half a pixel is the least distance from an edge.
-  const EdgeDistances* distances = shadow.shape ? &shadow.shape->error.all : nullptr;
-  if (distances != nullptr && distances->texels && distances->pixels) {
-    const double half_pixel = 0.5 * distances->texels->median / distances->pixels->median;
-    if (half_pixel > edge_band_texels) {
-      const std::string text = fmt::format(
-          "half a pixel is about {:.2g} texels, so that errors beside an edge count as more than {:g} texels from it",
-          half_pixel, edge_band_texels);
-      section.text += " Here " + text + ".";
-      presentation.lines.push_back(fmt::format("  {}: {}", title, text));
-    }
   }
   section.headlines = {
       {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", grouped(s.pixels))},
@@ -140,9 +128,10 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
   add_bias_table(section, shadow);
   section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{}; more than 2 texels from edges too dark {}, too bright {}; nearer too dark {}, too bright {}; {}",
-      title, percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away), percent(s.too_bright_away),
-      percent(s.too_dark_at_edge), percent(s.too_bright_at_edge), no_advice_text(shadow)));
+      "{}: error {}{}; at most {:g} texels from a shadow edge or in a pixel beside it, too dark {}, too bright {}; "
+      "elsewhere too dark {}, too bright {}; {}",
+      title, percent(s.mae), few_pixels_text(s.pixels), edge_band_texels, percent(s.too_dark_at_edge),
+      percent(s.too_bright_at_edge), percent(s.too_dark_away), percent(s.too_bright_away), no_advice_text(shadow)));
 }
 
 void present_soft_error(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,

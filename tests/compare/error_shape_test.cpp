@@ -63,6 +63,20 @@ TEST(ErrorShape, Quantiles_and_shares_go_by_weight) {
   EXPECT_DOUBLE_EQ(shape.parts[2].within[two_texels], 1.0);
 }
 
+TEST(ErrorShape, At_an_edge_is_two_texels_from_it_or_a_pixel_beside_it) {
+  for (const double texel : {0.2, 0.01}) {  // 0.5 and 10 texels a pixel
+    Row row(zenith, texel);
+    row.wrong.weights[9] = uvec4(4, 0, 0, 0);   // 0.5 px from the edge
+    row.wrong.weights[7] = uvec4(0, 4, 0, 0);   // 2.5 px
+    row.wrong.weights[17] = uvec4(0, 0, 4, 0);  // 7.5 px
+    const ErrorShape shape = analyze_error_shape(row.input(), row.wrong);
+    EXPECT_DOUBLE_EQ(shape.parts[0].at_edge, 1.0);
+    EXPECT_DOUBLE_EQ(shape.parts[1].at_edge, texel == 0.2 ? 1.0 : 0.0);
+    EXPECT_DOUBLE_EQ(shape.parts[2].at_edge, 0.0);
+    EXPECT_DOUBLE_EQ(shape.all.at_edge, texel == 0.2 ? 2.0 / 3.0 : 1.0 / 3.0);
+  }
+}
+
 TEST(ErrorShape, The_parts_weigh_what_the_whole_does) {
   Row row;
   for (std::size_t i = 0; i < 20; ++i) row.wrong.weights[i] = uvec4(i % 2, i % 3 == 0, 0, i % 5 == 0);
