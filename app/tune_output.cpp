@@ -95,7 +95,7 @@ std::vector<TunePointImages> measure_points(const TuneCase& first, const TuneSum
   return all;
 }
 
-// Texels and depth ranges differ from case to case, and with them an engine's numbers.
+// The errors of an engine's numbers differ from case to case, the numbers from light to light.
 std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCase>& cases,
                                     const TuneSummary& summary) {
   std::vector<CaseEngines> all;
@@ -104,6 +104,7 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
     cases.front().stages->add_notes({"--for: nothing to convert, as no bias is recommended"});
     return all;
   }
+  std::vector<EngineCase> converted;
   for (const TuneCase& each : cases) {
     Experiment tuned = at_point(each, summary.axes, point_to_use(summary.result).values);
     tuned.run.for_engines = job.for_engines;
@@ -112,8 +113,11 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
       stages.add_notes({no_engines_text(stages, tuned, each.light)});
       continue;
     }
-    all.push_back({each.title, advise_engines(stages, tuned, each.light)});
+    all.push_back({each.title, {}});
+    converted.push_back({stages, std::move(tuned), each.light});
   }
+  std::vector<std::vector<EngineAdvice>> advice = advise_engines(converted);
+  for (std::size_t c = 0; c < all.size(); ++c) all[c].engines = std::move(advice[c]);
   return all;
 }
 

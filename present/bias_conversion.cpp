@@ -92,8 +92,8 @@ std::vector<std::vector<std::string>> place_rows(const ConvertedBias& bias) {
   const bool has_normal = any_term(bias, &BiasTerms::normal);
   const bool has_slope = any_term(bias, &BiasTerms::slope);
   std::vector<std::string> head{""};
-  if (has_depth) head.emplace_back("d [m]");
-  head.insert(head.end(), {"t [m]", "R [m]", "bias [m]", "[texels]", "[of R]"});
+  if (has_depth) head.emplace_back("depth d [m]");
+  head.insert(head.end(), {"texel t [m]", "depth range R [m]", "bias [m]", "[texels]", "[of R]"});
   if (has_normal) head.emplace_back("normal offset [m]");
   if (has_slope) head.emplace_back("by slope [texels × slope]");
   std::vector<std::vector<std::string>> rows{head};
@@ -183,7 +183,8 @@ void add_number_notes(const ConvertedTarget& target, bool is_chosen, std::vector
       add(
           fmt::format("{} {}: chosen for {}, which needs the largest number; elsewhere it acts as up to {} times "
                       "the bias that is needed",
-                      engine.name, number_name(target, n), with_article(target.places[chosen->place]),
+                      engine.name, number_name(target, n),
+                      chosen->is_of_another ? "another case of the light" : with_article(target.places[chosen->place]),
                       digits_text(chosen->excess, 2)));
     }
     if (std::abs(value - chosen->value) > 1e-9 * std::abs(chosen->value)) {

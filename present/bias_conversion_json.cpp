@@ -48,7 +48,7 @@ Json to_json(const ConvertedTarget& target) {
     if (const std::optional<std::vector<double>> set = set_values(target, n)) each["set"] = *set;
     if (const std::optional<ChosenValue> chosen = choose_value(target, n)) {
       each["chosen"] = {{"value", std::clamp(chosen->value, number.min, number.max)},
-                        {"place", target.places[chosen->place].name},
+                        {"place", chosen->is_of_another ? "another case" : target.places[chosen->place].name},
                         {"excess", chosen->excess}};
     }
     json["numbers"].push_back(each);

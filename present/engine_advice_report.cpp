@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/lists.h"
 #include "present/bias_conversion.h"
 #include "present/presentation_parts.h"
 #include "results/number_text.h"
@@ -32,16 +33,8 @@ std::string no_number_text(const EngineAdvice& advice) {
 
 const std::string note_mark = "    note: ";
 
-// "without shadow.slope-bias 0.667, for which it has no number"; nothing where all of the bias is converted.
-std::string left_out_text(const EngineAdvice& advice) {
-  if (!is_complete(advice.target) || !advice.measured || advice.left_out_slope == 0.0) return "";
-  return fmt::format("without shadow.slope-bias {:.3g}, for which it has no number", advice.left_out_slope);
-}
-
 std::string engine_error_text(const EngineAdvice& advice) {
-  const auto acne_of = [](const BiasCell& cell) {
-    return cell.acne > little_acne_share ? ", acne " + percent(cell.acne) : "";
-  };
+  const auto acne_of = [](const BiasCell& cell) { return ", acne " + percent(cell.acne); };
   std::string usual;
   if (advice.by_default) {
     const std::string error = percent(advice.by_default->mae);
@@ -53,10 +46,7 @@ std::string engine_error_text(const EngineAdvice& advice) {
   }
   if (!is_complete(advice.target)) return no_number_text(advice) + usual;
   if (!advice.measured) return "error not measured: " + advice.why_not_measured + usual;
-  const std::string acne = acne_of(*advice.measured);
-  const std::string left_out = left_out_text(advice);
-  return fmt::format("error {}{}{}{}{}", percent(advice.measured->mae), acne, left_out.empty() ? "" : " ", left_out,
-                     usual);
+  return fmt::format("error {}{}{}", percent(advice.measured->mae), acne_of(*advice.measured), usual);
 }
 
 // Lines of the engine's code, or the number in a unit. None where a part of the bias is left out: zeros would look like
@@ -75,16 +65,21 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
   return lines;
 }
 
-// "casts back faces and adds polygon offset factor 2.5, units 1": what the run does not.
+// "casts back faces and adds polygon offset factor 2.5, units 1": what the run does not, and what of the run it lacks.
 std::string own_drawing_text(const EngineAdvice& advice) {
   const BiasEngine& engine = *advice.target.spec.engine;
-  std::string text;
-  if (advice.has_own_faces) text = engine.faces == CasterFaces::back ? "casts back faces" : "casts front faces";
+  std::vector<std::string> parts;
+  if (advice.has_own_faces)
+    parts.emplace_back(engine.faces == CasterFaces::back ? "casts back faces" : "casts front faces");
   if (advice.has_own_offset) {
-    text += fmt::format("{}adds polygon offset factor {:g}, units {:g}", text.empty() ? "" : " and ",
-                        engine.polygon_factor, engine.polygon_units);
+    parts.push_back(
+        fmt::format("adds polygon offset factor {:g}, units {:g}", engine.polygon_factor, engine.polygon_units));
   }
-  return text;
+  if (advice.lacks_offset) parts.emplace_back("has no number for this normal offset");
+  if (advice.left_out_slope != 0.0) {
+    parts.push_back(fmt::format("has no number for shadow.slope-bias {:.3g}", advice.left_out_slope));
+  }
+  return joined(parts, " and ");
 }
 
 // What no_number_text() does not say.
@@ -93,13 +88,20 @@ std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
   if (const ConvertedNumber* missing = missing_number(advice)) {
     std::erase_if(notes, [&](const std::string& note) { return note.ends_with(missing->reason); });
   }
+  if (advice.is_shared) {
+    notes.push_back(fmt::format("{}: one light has the same numbers in all cases, the largest that one of them needs",
+                                advice.target.spec.engine->name));
+  }
   const std::string own = own_drawing_text(advice);
   if (own.empty() || (!advice.measured && !advice.by_default)) return notes;
-  const bool is_searched = advice.measured && advice.own_bias;
-  notes.push_back(fmt::format(
-      "{}: it {}{}; {} this", advice.target.spec.engine->name, own,
-      is_searched ? fmt::format(": the bias was searched again and is {}", length_text(*advice.own_bias)) : "",
-      advice.measured ? "the errors include" : "the error of its default numbers includes"));
+  std::string searched;
+  if (advice.measured && advice.own_bias) {
+    searched = ": the bias was searched again for this and is " + length_text(*advice.own_bias) +
+               (advice.own_bias->unit == LengthUnit::texels ? " of our map" : "");
+  }
+  notes.push_back(fmt::format("{}: it {}{}; {}", advice.target.spec.engine->name, own, searched,
+                              advice.measured ? "the errors are those of its numbers, drawn so"
+                                              : "the error of its default numbers is drawn so"));
   return notes;
 }
 
@@ -122,9 +124,6 @@ std::vector<std::string> remarks_on(const std::vector<EngineAdvice>& engines) {
   for (const EngineAdvice& each : engines) {
     if (!each.why_not_measured.empty()) {
       remarks.push_back(fmt::format("{}: {}.", each.target.spec.engine->name, each.why_not_measured));
-    }
-    if (const std::string left_out = left_out_text(each); !left_out.empty()) {
-      remarks.push_back(fmt::format("{}: these numbers are {}.", each.target.spec.engine->name, left_out));
     }
     for (const std::string& note : notes_of_advice(each)) remarks.push_back(note + ".");
   }

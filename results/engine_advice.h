@@ -18,8 +18,10 @@ struct EngineAdvice {
   std::string why_not_measured{};        ///< which part of set_values() our parameters cannot say
   bool has_own_faces = false;            ///< it casts faces, and
   bool has_own_offset = false;           ///< adds a polygon offset, that the run does not
-  std::optional<Length> own_bias{};      ///< the constant bias that was then found with these, if one could be
+  bool lacks_offset = false;             ///< its normal offset is of another kind than the run's, and set to 0
   double left_out_slope = 0.0;           ///< the run's shadow.slope-bias, which `measured` and `by_default` are without
+  std::optional<Length> own_bias{};      ///< the constant bias that was found under these conditions, if one could be
+  bool is_shared = false;                ///< the numbers are those of all cases of the light
 };
 
 }  // namespace umbrameter

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "core/lists.h"
 #include "experiments/measure/bias_advice.h"
 #include "experiments/measure/bias_terms.h"
 #include "experiments/measure/measure_biases.h"
@@ -20,20 +22,24 @@ class EnginesOfLight {
         layout_(with_depth_encoding(*stages.layout(experiment, light), experiment.shadow.map_depth)),
         places_(places_of(stages.light(experiment, light), layout_, stages.surfels(experiment)->gbuffer)) {}
 
-  EngineAdvice advise(const BiasSpec& given) {
+  // The numbers; measure() completes them.
+  EngineAdvice convert(const BiasSpec& given) {
     const BiasSpec target = at_light(given, places_.front());
     EngineAdvice advice;
-    advice.left_out_slope = experiment_.shadow.bias.slope;
-    std::vector<BiasTerms> terms = terms_of(drawn_by(target, advice), layout_, places_);
-    for (BiasTerms& each : terms) each.slope = std::max(0.0, each.slope - target.engine->polygon_factor);
-    advice.target = convert_terms(terms, target, places_);
+    advice.target = convert_terms(terms_in(drawn_by(target, advice), target), target, places_);
+    return advice;
+  }
+
+  void measure(EngineAdvice& advice) {
+    const BiasSpec& target = advice.target.spec;
     if (is_complete(advice.target)) {
-      advice.measured = measure(advice.target.spec, set_at_places(advice.target), advice.why_not_measured);
+      advice.measured = measure(target, set_at_places(advice.target), advice.why_not_measured);
     }
     std::string reason;
     advice.by_default = measure(target, std::vector(places_.size(), target.numbers), reason);
-    return advice;
   }
+
+  bool is_same_light(const EnginesOfLight& other) const { return &stages_ == &other.stages_ && light_ == other.light_; }
 
  private:
   // What the engine does besides its numbers.
@@ -43,8 +49,15 @@ class EnginesOfLight {
     if (depth.faces == CasterFaces::all) depth.faces = engine.faces;
   }
 
-  // With the polygon offset and the casting faces that the engine always has, and the constant bias that is best with
-  // them.
+  // What the engine's numbers have to do: its polygon offset is there without them.
+  std::vector<BiasTerms> terms_in(const Experiment& drawn, const BiasSpec& target) const {
+    std::vector<BiasTerms> terms = terms_of(drawn, layout_, places_);
+    for (BiasTerms& each : terms) each.slope = std::max(0.0, each.slope - target.engine->polygon_factor);
+    return terms;
+  }
+
+  // With the polygon offset and the casting faces that the engine always has, without what it has no number for, and
+  // with the constant bias that is best then.
   Experiment drawn_by(const BiasSpec& target, EngineAdvice& result) {
     Experiment drawn = experiment_;
     MapDepthParams& depth = drawn.shadow.map_depth;
@@ -53,11 +66,20 @@ class EnginesOfLight {
     result.has_own_faces = depth.faces != own.faces;
     result.has_own_offset = depth.polygon_offset_factor != own.polygon_offset_factor ||
                             depth.polygon_offset_units != own.polygon_offset_units;
-    if (!result.has_own_faces && !result.has_own_offset) return drawn;
+    result.lacks_offset = has_other_offset(convert_terms(terms_in(drawn, target), target, places_));
+    if (result.lacks_offset) {
+      drawn.shadow.bias.normal_offset = {};
+      depth.caster_offset = {};
+    }
+    result.left_out_slope = std::exchange(drawn.shadow.bias.slope, 0.0);
+    const bool is_as_run =
+        !result.has_own_faces && !result.has_own_offset && !result.lacks_offset && result.left_out_slope == 0.0;
+    if (is_as_run) return drawn;
     drawn.run.for_engines.clear();
     const BiasAdvice advice = advise_bias(stages_, drawn, light_);
     if (advice.withheld) return drawn;
-    drawn.shadow.bias.constant.number = named_bias(advice).constant;
+    // Not the run's own bias, however good: that was found under other conditions.
+    drawn.shadow.bias.constant.number = advice.plateau.recommended.constant;
     result.own_bias = drawn.shadow.bias.constant;
     return drawn;
   }
@@ -111,11 +133,26 @@ std::string no_engines_text(const Stages& stages, const Experiment& experiment, 
 }
 
 std::vector<EngineAdvice> advise_engines(Stages& stages, const Experiment& experiment, std::uint32_t light) {
-  std::vector<EngineAdvice> advice;
-  if (experiment.run.for_engines.empty()) return advice;
-  EnginesOfLight engines(stages, experiment, light);
-  for (const BiasSpec& target : parse_bias_targets(experiment.run.for_engines)) {
-    advice.push_back(engines.advise(target));
+  return advise_engines({{stages, experiment, light}}).front();
+}
+
+std::vector<std::vector<EngineAdvice>> advise_engines(const std::vector<EngineCase>& cases) {
+  std::vector<std::vector<EngineAdvice>> advice(cases.size());
+  if (cases.empty() || cases.front().experiment.run.for_engines.empty()) return advice;
+  std::vector<EnginesOfLight> engines;
+  for (const EngineCase& each : cases) engines.emplace_back(each.stages, each.experiment, each.light);
+  for (const BiasSpec& target : parse_bias_targets(cases.front().experiment.run.for_engines)) {
+    for (std::size_t c = 0; c < cases.size(); ++c) advice[c].push_back(engines[c].convert(target));
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      std::vector<EngineAdvice*> of_light;
+      for (std::size_t d = 0; d < cases.size(); ++d) {
+        if (engines[d].is_same_light(engines[c])) of_light.push_back(&advice[d].back());
+      }
+      if (of_light.size() == 1 || of_light.front() != &advice[c].back()) continue;
+      share_numbers(mapped(of_light, [](EngineAdvice* each) { return &each->target; }));
+      for (EngineAdvice* each : of_light) each->is_shared = true;
+    }
+    for (std::size_t c = 0; c < cases.size(); ++c) engines[c].measure(advice[c].back());
   }
   return advice;
 }

@@ -16,4 +16,14 @@ std::string no_engines_text(const Stages& stages, const Experiment& experiment, 
 /// Empty if it names none. Throws Error (usage) for what parse_bias_targets() refuses.
 std::vector<EngineAdvice> advise_engines(Stages& stages, const Experiment& experiment, std::uint32_t light);
 
+struct EngineCase {
+  Stages& stages;
+  Experiment experiment;
+  std::uint32_t light = 0;
+};
+
+/// The same for each of several cases, whose experiments name the same engines. Cases of one light have the same
+/// numbers, since an engine has one for a light: the largest bias that one of them needs.
+std::vector<std::vector<EngineAdvice>> advise_engines(const std::vector<EngineCase>& cases);
+
 }  // namespace umbrameter

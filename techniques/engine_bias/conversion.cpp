@@ -68,6 +68,13 @@ double multiple_above(double number, double unit) {
   return std::copysign(std::ceil(std::abs(number) / unit - 1e-9) * unit, number);
 }
 
+// Of two values of a number at a place the one that moves farther away from acne.
+double larger_bias(const ConvertedTarget& target, std::size_t number, std::size_t place, double a, double b) {
+  const PerUnit per_unit = target.spec.engine->numbers[number].per_unit;
+  const bool is_reversed = per_unit(target.places[place], target.spec.settings).value_or(1.0) < 0.0;
+  return is_reversed ? std::min(a, b) : std::max(a, b);
+}
+
 double rounded_up(double number, double step) {
   if (number == 0.0) return number;
   const double rounded = multiple_above(number, std::pow(10.0, std::floor(std::log10(std::abs(number))) - 2.0));
@@ -230,6 +237,12 @@ ConvertedTarget convert_terms(const std::vector<BiasTerms>& terms, BiasSpec targ
   return converted;
 }
 
+bool has_other_offset(const ConvertedTarget& target) {
+  return std::ranges::any_of(target.conversions, [](const BiasConversion& each) {
+    return std::ranges::any_of(each.numbers, &ConvertedNumber::is_other_kind);
+  });
+}
+
 bool is_complete(const ConvertedTarget& target) {
   return std::ranges::all_of(target.conversions, [](const BiasConversion& each) {
     return each.missing.empty() && std::ranges::all_of(each.numbers, [](const ConvertedNumber& number) {
@@ -256,14 +269,36 @@ ConvertedBias convert_bias(BiasSpec source, std::vector<BiasSpec> targets, const
   return result;
 }
 
+void share_numbers(const std::vector<ConvertedTarget*>& targets) {
+  const std::size_t count = targets.front()->spec.engine->numbers.size();
+  std::vector<std::vector<double>> shared(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    for (const ConvertedTarget* target : targets) {
+      const std::optional<ChosenValue> chosen = choose_value(*target, n);
+      if (!chosen) continue;
+      const bool sets_each = sets_each_place(*target);
+      for (std::size_t i = 0; i < (sets_each ? target->places.size() : 1); ++i) {
+        const double value = sets_each ? *target->conversions[i].numbers[n].value : chosen->value;
+        if (i == shared[n].size()) shared[n].push_back(value);
+        shared[n][i] = larger_bias(*target, n, i, value, shared[n][i]);
+      }
+    }
+  }
+  for (ConvertedTarget* target : targets) target->shared = shared;
+}
+
 std::optional<ChosenValue> choose_value(const ConvertedTarget& target, std::size_t number) {
   std::optional<ChosenValue> chosen;
-  const PerUnit per_unit = target.spec.engine->numbers[number].per_unit;
   for (std::size_t i = 0; i < target.conversions.size(); ++i) {
     const std::optional<double> value = target.conversions[i].numbers[number].value;
     if (!value) return std::nullopt;
-    const double sign = per_unit(target.places[i], target.spec.settings).value_or(1.0) < 0.0 ? -1.0 : 1.0;
-    if (!chosen || sign * *value > sign * chosen->value) chosen = ChosenValue{*value, i};
+    if (!chosen || larger_bias(target, number, i, *value, chosen->value) != chosen->value)
+      chosen = ChosenValue{*value, i};
+  }
+  if (chosen && !target.shared.empty() && !sets_each_place(target)) {
+    const double own = chosen->value;
+    chosen->value = larger_bias(target, number, chosen->place, target.shared[number].front(), own);
+    chosen->is_of_another = chosen->value != own;
   }
   for (const BiasConversion& conversion : target.conversions) {
     const double own = *conversion.numbers[number].value;
@@ -282,14 +317,19 @@ std::optional<std::vector<double>> set_values(const ConvertedTarget& target, std
   const BiasNumber& described = target.spec.engine->numbers[number];
   std::vector<double> values;
   const std::optional<ChosenValue> chosen = choose_value(target, number);
-  for (const BiasConversion& conversion : target.conversions) {
-    const ConvertedNumber& own = conversion.numbers[number];
+  for (std::size_t i = 0; i < target.conversions.size(); ++i) {
+    const ConvertedNumber& own = target.conversions[i].numbers[number];
     if (own.is_other_kind) {
       values.push_back(0.0);
       continue;
     }
     if (!chosen) return {};
-    const double value = rounded_up(sets_each_place(target) ? *own.value : chosen->value, described.step);
+    double exact = chosen->value;
+    if (sets_each_place(target)) {
+      exact = *own.value;
+      if (!target.shared.empty()) exact = larger_bias(target, number, i, target.shared[number][i], exact);
+    }
+    const double value = rounded_up(exact, described.step);
     values.push_back(std::clamp(value, described.min, described.max));
   }
   return values;

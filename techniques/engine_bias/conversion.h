@@ -60,6 +60,8 @@ struct ConvertedTarget {
   BiasSpec spec;
   std::vector<MapPlace> places;
   std::vector<BiasConversion> conversions;
+  /// Of share_numbers(): for each number the value that others need, for each place if sets_each_place().
+  std::vector<std::vector<double>> shared{};
 };
 
 struct ConvertedBias {
@@ -78,6 +80,12 @@ ConvertedTarget convert_terms(const std::vector<BiasTerms>& terms, BiasSpec targ
 /// Whether the target has a number for every term that is not 0, if not for its kind of offset.
 bool is_complete(const ConvertedTarget& target);
 
+/// Whether the target's number for the offset is of another kind than the source's, which is then left out.
+bool has_other_offset(const ConvertedTarget& target);
+
+/// Lets targets of one engine, for views of one light, have the same numbers: the largest bias that one of them needs.
+void share_numbers(const std::vector<ConvertedTarget*>& targets);
+
 /// Without targets: to all engines for which a part of the source has an equivalent.
 ConvertedBias convert_bias(BiasSpec source, std::vector<BiasSpec> targets, const std::vector<MapPlace>& places);
 
@@ -85,8 +93,9 @@ ConvertedBias convert_bias(BiasSpec source, std::vector<BiasSpec> targets, const
 /// place has none.
 struct ChosenValue {
   double value = 0.0;
-  std::size_t place = 0;  ///< that decided
-  double excess = 1.0;    ///< largest factor by which it exceeds the source's bias elsewhere
+  std::size_t place = 0;       ///< that decided, unless
+  bool is_of_another = false;  ///< another target of share_numbers() did
+  double excess = 1.0;         ///< largest factor by which it exceeds the source's bias elsewhere
 };
 std::optional<ChosenValue> choose_value(const ConvertedTarget& target, std::size_t number);
 
