@@ -171,12 +171,29 @@ void add_setting_notes(Stages& stages, const CommandLine& line, const Experiment
   }
 }
 
+namespace {
+
+// Whether the technique needs the light's extent, and the light has none.
+bool lacks_extent(const Stages& stages, const Experiment& experiment, std::uint32_t light) {
+  return stages.capabilities(experiment).reads_light_extent &&
+         !is_area(with_extent(stages.scene().lights[light], experiment.light));
+}
+
+// PCSS and DPCF of a light without extent read one texel. As PCF, which reads the same, their errors have causes and a
+// bias can be recommended.
+Experiment as_pcf(Experiment experiment) {
+  experiment.shadow.technique = ShadowTechniques::choice<Pcf>;
+  experiment.shadow.pcf.filter = ShadowFilter::nearest;
+  experiment.shadow.pcf.taps = FilterTaps::nearest;
+  return experiment;
+}
+
+}  // namespace
+
 void add_technique_notes(Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights) {
-  if (stages.has_engine() || !capabilities_of(make_technique(experiment.shadow)).reads_light_extent) return;
   for (const std::uint32_t light : lights) {
-    const Light lamp = with_extent(stages.scene().lights[light], experiment.light);
-    if (is_area(lamp)) continue;
-    const bool is_sun = std::holds_alternative<DirectionalLight>(lamp.shape);
+    if (!lacks_extent(stages, experiment, light)) continue;
+    const bool is_sun = std::holds_alternative<DirectionalLight>(stages.scene().lights[light].shape);
     stages.add_notes(
         {fmt::format("{} has no extent, so that {} reads its map like pcf with filter nearest; set --light.{}",
                      stages.title(light), value_text(experiment, "shadow.technique"), is_sun ? "angle" : "radius")});
@@ -307,12 +324,13 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   // Tracing fills the cores while one of them compiles shaders.
   if (line.command == "compare" && has_ao) stages.begin_ao_truth(experiment);
   for (const std::uint32_t light : lights) {
-    ShadowMeasurement shadow = measure_shadow(stages, experiment, light, sides);
+    const Experiment drawn = lacks_extent(stages, experiment, light) ? as_pcf(experiment) : experiment;
+    ShadowMeasurement shadow = measure_shadow(stages, drawn, light, sides);
     if (sides.raster && sides.truth) shadow.shape = measure_shape(stages, shadow);
     const VisibilityStatistics* causes = by_cause(shadow);
     const bool has_bias_curve = causes != nullptr && causes->pixels > 0;
-    if (has_bias_curve && stages.capabilities(experiment).taps_independent_of_bias) {
-      shadow.advice = advise_bias(stages, experiment, light);
+    if (has_bias_curve && stages.capabilities(drawn).taps_independent_of_bias) {
+      shadow.advice = advise_bias(stages, drawn, light);
     }
     if (!experiment.run.for_engines.empty() && !shadow.advice) {
       stages.add_notes({no_engines_text(stages, experiment, light)});

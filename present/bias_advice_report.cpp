@@ -79,10 +79,18 @@ std::string advice_text(const BiasAdvice& advice) {
 }
 
 ReportTable advice_table(const BiasAdvice& advice) {
+  // Where texels grow with the distance, a bias in the unit in use is several lengths in the other.
+  const bool is_in_metres = advice.unit == LengthUnit::metres;
+  const auto on_average = [&](const char* unit, bool is_own) {
+    return std::string(unit) + (advice.texels_differ && !is_own ? ", on average" : "");
+  };
   Table table{{{"constant bias", "", "all other parameters as in this run"},
-               {"along the light", "m", "length along the light; texels are converted at their mean size"},
-               {"in texels", "texels", "in texels of mean size over the counted pixels"},
-               {"in depth", "1", "of the depth that the map stores, from 0 to 1"},
+               {"along the light", on_average("m", is_in_metres),
+                "length along the light; texels are converted at their mean size"},
+               {"in texels", on_average("texels", advice.unit == LengthUnit::texels),
+                "in texels of mean size over the counted pixels"},
+               {"in depth", on_average("1", advice.unit == LengthUnit::map_depth),
+                "of the depth that the map stores, from 0 to 1"},
                {"error", "%", "mean absolute error of visibility"}},
               {}};
   for (std::size_t c = 0; c < cause_count; ++c) {
@@ -108,7 +116,9 @@ ReportTable advice_table(const BiasAdvice& advice) {
   add_row(advice.plateau.open_above ? "largest bias tested" : "largest bias " + good, advice.plateau.last);
   if (advice.line.little_acne) add_row(formula_names[1], *advice.line.little_acne);
   if (advice.line.acne_free) add_row(formula_names[2], *advice.line.acne_free);
-  return {"Recommended bias", std::move(table), {"in texels", "in depth"}};
+  ReportTable biases{"Recommended bias", std::move(table), {"in texels", "in depth"}};
+  if (advice.texels_differ) biases.remarks.push_back(average_text(advice.unit));
+  return biases;
 }
 
 nlohmann::ordered_json to_json(const BiasAdvice& advice) {
@@ -119,7 +129,9 @@ nlohmann::ordered_json to_json(const BiasAdvice& advice) {
     for (std::size_t c = 0; c < cause_count; ++c) object[std::string(cause_names[c])] = shares[c];
     return object;
   };
-  Json object = {{"used", cell_json(advice.used)}, {"least_error", cell_json(advice.plateau.least)}};
+  Json object = {{"used", cell_json(advice.used)},
+                 {"keep", !advice.withheld && keeps_bias(advice)},
+                 {"least_error", cell_json(advice.plateau.least)}};
   add_plateau(object, advice.plateau, advice.evidence, advice.withheld, cell_json);
   object["acne_at_most_0.1_percent"] = advice.line.little_acne ? cell_json(*advice.line.little_acne) : Json(nullptr);
   object["acne_free"] = advice.line.acne_free ? cell_json(*advice.line.acne_free) : Json(nullptr);

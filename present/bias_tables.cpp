@@ -213,6 +213,8 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
   section.tables.push_back({"Recommended biases",
                             in_digits(choices_table(curves), curves.others.size()),
                             {"in texels", "in depth", "extra error", "extra peter-panning"}});
+  if (std::ranges::any_of(curves.curves, &BiasCurve::texels_differ))
+    section.tables.back().remarks.push_back(average_text(curves.unit));
   if (curves.varies_slope && curves.varies_constant)
     section.tables.push_back({"Constant biases by slope-scaled bias",
                               in_digits(slopes_table(curves), curves.others.size() + 1),

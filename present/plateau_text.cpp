@@ -72,6 +72,16 @@ std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
   return {};
 }
 
+std::string average_text(LengthUnit unit) {
+  return fmt::format(
+      "The errors are those of the bias in {}. In another unit it differs from pixel to pixel; the average, set for "
+      "all "
+      "pixels, has another error.",
+      unit == LengthUnit::metres   ? "metres"
+      : unit == LengthUnit::texels ? "texels"
+                                   : "the map's depth");
+}
+
 std::string few_pixels_text(std::uint64_t counted) {
   if (counted >= enough_pixels) return {};
   return fmt::format(" (only {} counted pixel{})", counted, counted == 1 ? "" : "s");

@@ -28,6 +28,9 @@ const char* reason_text(const BiasPlateau& plateau, bool is_for_acne = false);
 /// --scene.ground adds a floor".
 std::string withheld_text(NoBias reason, const BiasEvidence& evidence);
 
+/// Remark below a table of biases in several units whose texels differ from pixel to pixel, where the axis has `unit`.
+std::string average_text(LengthUnit unit);
+
 /// " (only 12 counted pixels)" where one pixel is more than 1 % of them; else nothing.
 std::string few_pixels_text(std::uint64_t counted);
 

@@ -55,8 +55,9 @@ std::string ao_radius_text(const AoParams& params);
 
 /// The limit of the mean absolute error against a hard shadow, for pages that compare filters.
 inline constexpr const char* filter_caution =
-    "The reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong, so the mean "
-    "absolute error always favours no filter: use it to choose a bias or a resolution, not a filter.";
+    "The reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong: with a bias "
+    "that removes acne, the mean absolute error favours no filter; with a smaller one it may favour a filter for its "
+    "lack of acne. Use it to choose a bias or a resolution, not a filter.";
 
 /// The same, for the answers of a sweep or tuning over filters. `flag` measures the edges instead: "--run.metrics".
 std::string filter_warning(const std::string& remedy);
@@ -72,6 +73,11 @@ bool measures_edges(const std::string& names);
 /// Of a sweep or tuning over the reach of the filter, with one bias.
 inline constexpr const char* one_bias_warning =
     "each filter needs its own bias, but all have the same one: vary shadow.constant-bias, too";
+
+/// Of a sweep over lights, cameras or scenes.
+inline constexpr const char* pixels_warning =
+    "errors of different lights, cameras or scenes are of different pixels and do not show which of them is better: "
+    "compare the cells of one";
 
 /// Why statistics count no pixel: "nothing to measure: all 230400 pixels are background". Empty if they count some.
 std::string nothing_counted_text(const CountedPixels& counted);

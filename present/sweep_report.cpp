@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <span>
 
 #include "core/lists.h"
@@ -293,21 +294,19 @@ std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) 
   return row_text(sweep, row, axes);
 }
 
-// "; equal at shadow.technique pcss" for other words with which the least error is the same to the last digit.
-std::string equal_text(const SweepResults& sweep, const std::vector<Value>& least) {
-  std::vector<std::string> keys;
-  for (const SweepAxis& axis : sweep.plan.axes) {
-    if (std::holds_alternative<std::string>(axis.values.front())) keys.push_back(axis.key);
-  }
-  const Table best = sweep.store.least(std::string(error_statistic), keys, max_best_rows);
-  const std::size_t mae = column_index(best, error_statistic);
-  std::string text;
-  for (const std::vector<Value>& row : best.rows) {
-    const std::string cell = cell_text(sweep, row);
-    if (row[mae] != least[mae] || cell == cell_text(sweep, least)) continue;
-    text += (text.empty() ? "; equal at " : ", ") + cell;
-  }
-  return text;
+// "; equal at shadow.technique pcss": other cells whose error is the same to the last digit.
+std::string equal_text(const SweepResults& sweep, const std::vector<Value>& least, const Value& error) {
+  constexpr std::size_t max_named = 3;
+  const std::string cell = cell_text(sweep, least);
+  std::set<std::string> equal;
+  std::vector<std::string> columns = mapped(sweep.plan.axes, &SweepAxis::key);
+  columns.emplace_back(error_statistic);
+  sweep.store.read(columns, [&](std::span<const Value> row) {
+    if (row.back() != error || equal.size() > max_named) return;
+    if (std::string other = cell_text(sweep, {row.begin(), row.end()}); other != cell) equal.insert(std::move(other));
+  });
+  if (equal.size() > max_named) return "; equal in other cells of sweep.csv";
+  return equal.empty() ? "" : "; equal at " + joined(equal, "; ");
 }
 
 std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best) {
@@ -335,7 +334,10 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   const char* headline = open_ends.empty() ? "least mean absolute error" : "least mean absolute error tested";
   section.headlines = {{headline, error, cell_text(sweep, least)},
                        {"cells", std::to_string(sweep.plan.cells), "one row each in sweep.csv"}};
-  const std::vector<std::string> warnings = to_lines(open_ends);
+  std::vector<std::string> warnings = to_lines(open_ends);
+  if (varies_pixels(sweep.plan.axes)) warnings.emplace_back(pixels_warning);
+  if (sweep.quantity() == SweptQuantity::visibility && needs_biases(sweep.plan.axes))
+    warnings.emplace_back(one_bias_warning);
   const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);
   if (curves && curves->varies_constant) {
     add_bias_figures(presentation, sweep, *curves, max_plots);
@@ -348,13 +350,11 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     section.text += "The reference looks for occluders " + sweep.ao_limit + " in every cell.";
   const bool ranks_filters = compares_filters(sweep);
   if (ranks_filters) section.text += "\n\n" + std::string(filter_caution);
-  const bool has_one_bias = !is_flat && sweep.quantity() == SweptQuantity::visibility && needs_biases(sweep.plan.axes);
-  if (has_one_bias) section.text += "\n\nWarning: " + std::string(one_bias_warning) + ".";
-  for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (is_flat) {
     section.headlines.front() = {"error of every cell", error, "all cells are equal"};
     return presentation;
   }
+  for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (!curves) {
     std::size_t lines = 1;
     for (const std::size_t a : listed_axes(sweep)) lines *= count_values(sweep.plan, a);
@@ -367,7 +367,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     present_bias(presentation, *curves);
   } else {
     presentation.answers.push_back(
-        fmt::format("least error {} at {}{}{}", error, cell_text(sweep, least), equal_text(sweep, least),
+        fmt::format("least error {} at {}{}{}", error, cell_text(sweep, least), equal_text(sweep, least, least[mae]),
                     sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
     if (is_ao) {
       const double mean_truth = to_number(least[column_index(best, "mean_truth")]);
@@ -379,7 +379,6 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
         "warning: " + filter_warning(has_edges(sweep)
                                          ? fmt::format("the column {} of sweep.csv does", edge_roughness_metric.name)
                                          : filter_remedy("--run.metrics")));
-  if (has_one_bias) presentation.answers.push_back("warning: " + std::string(one_bias_warning));
   for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
   if (curves) return presentation;
   const std::vector<std::size_t> listed = listed_axes(sweep);

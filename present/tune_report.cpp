@@ -155,6 +155,7 @@ std::string bias_range_text(const TuneSummary& summary) {
   const BiasPlateau& plateau = *summary.result.plateau;
   const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
   const bool is_free = summary.goal.constraints.empty();
+  const bool is_single = summary.cases.size() == 1;
   std::string text = fmt::format("constant-bias{}{}: ", summary.axes.size() > 1 ? ", the others at the best point" : "",
                                  is_free ? "" : ", where the constraints are kept") +
                      range_text(plateau, axis->axis.length_unit, is_free ? "cost on the axis" : "cost there",
@@ -162,9 +163,11 @@ std::string bias_range_text(const TuneSummary& summary) {
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) {
-    return text + (plateau.first.constant == plateau.last.constant
-                       ? fmt::format("; it leaves acne of {}, more than 0.1 %", percent(plateau.recommended.acne))
-                       : "; each leaves acne of more than 0.1 %");
+    return text +
+           (plateau.first.constant == plateau.last.constant
+                ? fmt::format("; it leaves acne of {}{}, more than 0.1 %", is_single ? "" : "up to ",
+                              percent(plateau.recommended.acne))
+                : "; each leaves acne of more than 0.1 %" + std::string(is_single ? "" : " in one case at least"));
   }
   return text + fmt::format("; of these, acne is at most 0.1 % in every case of the search from {}",
                             value_text(*axis, plateau.recommended.constant));
@@ -267,7 +270,7 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
                                   held.cases.size() > 2 ? fmt::format("{} cases: {}, …, {}", held.cases.size(),
                                                                       held.cases.front(), held.cases.back())
                                                         : joined(held.cases, "; "),
-                                  cost_text(absolute, held.before.score.cost),
+                                  cost_text(absolute, held.before.score.cost) + kept_text(absolute, held.before.score),
                                   cost_text(absolute, checked.score.cost) + kept_text(absolute, checked.score),
                                   judged(absolute, held.recommended ? "the recommended point" : "the best point",
                                          held.recommended ? held.recommended_difference : held.difference,

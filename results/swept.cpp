@@ -58,6 +58,13 @@ bool needs_biases(const std::vector<SweepAxis>& axes) {
   });
 }
 
+bool varies_pixels(const std::vector<SweepAxis>& axes) {
+  constexpr std::array<std::string_view, 3> keys = {"view.light", "view.camera", "view.scene"};
+  return std::ranges::any_of(axes, [&](const SweepAxis& axis) {
+    return axis.values.size() != 1 && std::ranges::find(keys, axis.key) != keys.end();
+  });
+}
+
 SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& axes) {
   if (given == SweepMeasure::visibility) return SweptQuantity::visibility;
   if (given == SweepMeasure::ao) return SweptQuantity::ao;

@@ -154,6 +154,7 @@ TEST_F(Answers, Compare_begins_with_the_bias_to_use_and_a_run_with_it_has_that_e
   const Json advice = summary["shadows"][0]["recommended_bias"];
   const Json& recommended = advice["recommended"];
   EXPECT_TRUE(advice["withheld"].is_null());
+  EXPECT_FALSE(advice["keep"]);
   const double pixels = summary["shadows"][0]["statistics"]["pixels"];
   EXPECT_LE(recommended["mae"].get<double>(), advice["least_error"]["mae"].get<double>() + 3.0 / pixels);
   EXPECT_LE(advice["range"]["smallest"]["m"], recommended["constant_bias"]["m"]);
@@ -161,6 +162,7 @@ TEST_F(Answers, Compare_begins_with_the_bias_to_use_and_a_run_with_it_has_that_e
   EXPECT_DOUBLE_EQ(advice["used"]["mae"].get<double>(), summary["shadows"][0]["statistics"]["mae"].get<double>());
   const std::string second = compare(std::to_string(recommended["constant_bias"]["m"].get<double>()), "best");
   EXPECT_TRUE(first_line(second).starts_with("lantern: keep ")) << second;
+  EXPECT_TRUE(summary["shadows"][0]["recommended_bias"]["keep"]);
   EXPECT_DOUBLE_EQ(summary["shadows"][0]["statistics"]["mae"].get<double>(), recommended["mae"].get<double>());
   compare(std::to_string(advice["acne_free"]["constant_bias"]["m"].get<double>()), "free");
   EXPECT_EQ(summary["shadows"][0]["statistics"]["acne"], 0.0);
@@ -299,13 +301,37 @@ TEST_F(Answers, Where_no_bias_is_recommended_the_reason_is_that_of_the_technique
   expect_words(of_box({"--light.angle", "2"}), {"acne can be counted only in a hard shadow (--light.angle 0)"});
 }
 
-TEST_F(Answers, Where_pixels_are_wider_than_the_band_at_edges_it_is_said_so) {
-  const std::vector<std::string> vsm = {
-      "compare", "courtyard",          "--light", "spot", "--measure",     "shadows", "--no-figures",
-      "--force", "--shadow.technique", "vsm",     "-o",   folder_ / "out", "--size",  "160x90"};
-  expect_words(run_program(vsm).out, {"more than 2 texels from edges too dark ", "  spot: half a pixel is "});
-  const std::string coarse = run_program(words(vsm, {"--shadow.resolution", "128"})).out;
-  EXPECT_EQ(coarse.find("half a pixel"), std::string::npos) << coarse;
+// PCSS and DPCF of a light without extent are PCF: they have its causes, its advice and its errors.
+TEST_F(Answers, A_technique_that_lacks_its_extent_has_the_bias_of_PCF) {
+  const auto answer = [&](const std::string& technique) {
+    return run({"compare", "contact-box", "--light", "sun", "--measure", "shadows", "--no-figures", "--force",
+                "--shadow.technique", technique, "--shadow.filter", technique == "pcf" ? "nearest" : "poisson"},
+               technique);
+  };
+  const std::string pcf = first_line(answer("pcf"));
+  const Json advice = summary["shadows"][0]["recommended_bias"];
+  ASSERT_TRUE(advice["withheld"].is_null()) << pcf;
+  for (const char* technique : {"pcss", "dpcf"}) {
+    EXPECT_EQ(first_line(answer(technique)), pcf) << technique;
+    EXPECT_EQ(summary["shadows"][0]["recommended_bias"], advice) << technique;
+  }
+}
+
+TEST_F(Answers, Errors_of_several_lights_are_not_ranked) {
+  const auto sweep = [&](const std::string& axis) {
+    return run_program({"sweep", "courtyard", "--vary", axis, "--size", "96x54", "--no-figures", "-o", folder_ / "out",
+                        "--force"})
+        .out;
+  };
+  const char* warning = "warning: errors of different lights, cameras or scenes are of different pixels";
+  expect_words(sweep("view.light=sun,spot"), {warning});
+  EXPECT_EQ(sweep("shadow.resolution=256,512").find(warning), std::string::npos);
+}
+
+TEST_F(Answers, An_AO_that_draws_nothing_is_no_optimum) {
+  const ProgramResult result = run_program({"sweep", "corner", "--vary", "ao.radius=0.02%,0.03%", "--size", "96x54",
+                                            "--truth.spp", "64", "--no-figures", "-o", folder_ / "out"});
+  expect_words(result.out, {"warning: no AO at all would be about as close to the reference, or closer"});
 }
 
 TEST_F(Answers, A_sweep_names_every_technique_with_the_least_error) {
