@@ -124,29 +124,11 @@ Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& fron
   return table;
 }
 
-// ": acne 0.0235 % in courtyard, camera overview, sun".
-std::string broken_text(const TuneSummary& summary) {
-  const TunePoint& best = summary.result.best;
-  std::string text;
-  for (const TuneConstraint& constraint : summary.goal.constraints) {
-    if (constraint.axis) continue;
-    const auto violation = [&](const CaseValues& values) {
-      return violation_of(constraint, values[constraint.column]);
-    };
-    const auto worst = std::ranges::max_element(best.cases, {}, violation);
-    if (worst == best.cases.end() || violation(*worst) == 0.0) continue;
-    const Column& column = summary.goal.columns[constraint.column];
-    text += fmt::format("{}{} {} in {}", text.empty() ? ": " : "; ", column.name,
-                        statistic_text((*worst)[constraint.column], column.unit),
-                        summary.cases[static_cast<std::size_t>(worst - best.cases.begin())]);
-  }
-  return text;
-}
-
 std::string constraint_line(const TuneSummary& summary) {
   if (summary.goal.constraints.empty()) return {};
   if (!summary.result.best.score.is_kept())
-    return "no point keeps every constraint in every case; this one breaks them least" + broken_text(summary);
+    return "no point keeps every constraint in every case; this one breaks them least" +
+           broken_text(summary.goal, summary.result.best, summary.cases);
   return "every constraint is kept in every case of the search";
 }
 
@@ -266,15 +248,15 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const HeldOut& held = *summary.judgement.held_out;
     const TuneGoal absolute = not_relative(goal);
     const TunePoint& checked = held.recommended ? *held.recommended : held.best;
-    answers.push_back(fmt::format("held out ({}): default {} → {}; {}",
-                                  held.cases.size() > 2 ? fmt::format("{} cases: {}, …, {}", held.cases.size(),
-                                                                      held.cases.front(), held.cases.back())
-                                                        : joined(held.cases, "; "),
-                                  cost_text(absolute, held.before.score.cost) + kept_text(absolute, held.before.score),
-                                  cost_text(absolute, checked.score.cost) + kept_text(absolute, checked.score),
-                                  judged(absolute, held.recommended ? "the recommended point" : "the best point",
-                                         held.recommended ? held.recommended_difference : held.difference,
-                                         checked.score.cost - held.before.score.cost)));
+    answers.push_back(
+        fmt::format("held out ({}): default {} → {}; {}",
+                    held.cases.size() > 2
+                        ? fmt::format("{} cases: {}, …, {}", held.cases.size(), held.cases.front(), held.cases.back())
+                        : joined(held.cases, "; "),
+                    held_text(absolute, held.before, held.cases), held_text(absolute, checked, held.cases),
+                    judged(absolute, held.recommended ? "the recommended point" : "the best point",
+                           held.recommended ? held.recommended_difference : held.difference,
+                           checked.score.cost - held.before.score.cost)));
   } else {
     answers.emplace_back("held out: nothing; the scenes have no other camera; name a scene with --held-out");
   }

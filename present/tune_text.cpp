@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "present/presentation.h"
@@ -81,6 +82,29 @@ std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Valu
 std::string kept_text(const TuneGoal& goal, const TuneScore& score) {
   if (goal.constraints.empty() || score.is_kept()) return "";
   return goal.constraints.size() == 1 ? " (breaks the constraint)" : " (breaks constraints)";
+}
+
+std::string broken_text(const TuneGoal& goal, const TunePoint& point, const std::vector<std::string>& cases) {
+  std::string text;
+  for (const TuneConstraint& constraint : goal.constraints) {
+    if (constraint.axis) continue;
+    const auto violation = [&](const CaseValues& values) {
+      return violation_of(constraint, values[constraint.column]);
+    };
+    const auto worst = std::ranges::max_element(point.cases, {}, violation);
+    if (worst == point.cases.end() || violation(*worst) == 0.0) continue;
+    const Column& column = goal.columns[constraint.column];
+    text += fmt::format("{}{} {} in {}", text.empty() ? ": " : "; ", column.name,
+                        statistic_text((*worst)[constraint.column], column.unit),
+                        cases[static_cast<std::size_t>(worst - point.cases.begin())]);
+  }
+  return text;
+}
+
+std::string held_text(const TuneGoal& goal, const TunePoint& point, const std::vector<std::string>& cases) {
+  std::string kept = kept_text(goal, point.score);
+  if (!kept.empty()) kept.insert(kept.size() - 1, broken_text(goal, point, cases));
+  return cost_text(goal, point.score.cost) + kept;
 }
 
 }  // namespace umbrameter

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/statistics.h"
 #include "results/tune_results.h"
@@ -35,5 +36,10 @@ std::string value_text(const TuneAxis& axis, const Value& value);
 
 /// " (breaks a constraint)" or nothing.
 std::string kept_text(const TuneGoal& goal, const TuneScore& score);
+
+/// ": acne 0.0235 % in courtyard, camera overview, sun"; nothing where every constraint is kept.
+std::string broken_text(const TuneGoal& goal, const TunePoint& point, const std::vector<std::string>& cases);
+/// The cost, and what it breaks: "1.05 % (breaks the constraint: acne 0.783 % in courtyard, camera arcade, sun)".
+std::string held_text(const TuneGoal& goal, const TunePoint& point, const std::vector<std::string>& cases);
 
 }  // namespace umbrameter

@@ -123,6 +123,17 @@ TEST_F(Tune, Its_range_and_its_front_say_what_the_constraints_cut) {
                {"mean absolute error, the mean of 6 cases", "acne, the mean of 6 cases"});
 }
 
+TEST_F(Tune, A_held_out_camera_says_of_both_points_which_constraint_they_break) {
+  const ProgramResult result =
+      run_program({"tune", "courtyard", "-o", folder_ / "held", "--size", "160x90", "--no-figures", "--camera",
+                   "overview", "--constraint", "acne<0.1%", "--vary", "shadow.constant-bias=0:8texels"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::size_t held = result.out.find("held out (3 cases: ");
+  ASSERT_NE(held, std::string::npos) << result.out;
+  const std::string line = result.out.substr(held, result.out.find('\n', held) - held);
+  expect_words(line, {"default ", " % (breaks the constraint: acne ", ") → "});
+}
+
 TEST_F(Tune, Over_several_lights_and_parameters_beats_the_default_and_repeats_to_the_bit) {
   const std::vector<std::string> flags = {"--vary",        "shadow.constant-bias=0:8texels",
                                           "--vary",        "shadow.slope-bias=0:4",
