@@ -5,10 +5,12 @@
 #include "app/tune_run.h"
 #include "core/interrupt.h"
 #include "core/lists.h"
+#include "experiments/measure/bias_advice.h"
 #include "experiments/measure/engine_advice.h"
 #include "experiments/measure/measure.h"
 #include "experiments/sweep/page_cells.h"
 #include "experiments/tune/tune_judgement.h"
+#include "present/bias_advice_report.h"
 #include "present/plateau_text.h"
 #include "present/run_output.h"
 #include "present/tune_report.h"
@@ -113,7 +115,16 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
       stages.add_notes({no_engines_text(stages, tuned, each.light)});
       continue;
     }
-    all.push_back({each.title, {}});
+    CaseEngines& of_case = all.emplace_back(CaseEngines{each.title});
+    if (std::ranges::find(job.axes, constant_bias_key, &TuneAxis::key) == job.axes.end()) {
+      Experiment at_point = tuned;
+      at_point.run.for_engines.clear();
+      const BiasAdvice advice = advise_bias(stages, at_point, each.light);
+      if (!advice.withheld) {
+        tuned.shadow.bias.constant.number = named_bias(advice).constant;
+        of_case.bias = "the bias that compare recommends at this point, " + named_bias_text(advice);
+      }
+    }
     converted.push_back({stages, std::move(tuned), each.light});
   }
   std::vector<std::vector<EngineAdvice>> advice = advise_engines(converted);

@@ -34,7 +34,7 @@ std::string settings_text(const BiasSpec& spec) {
   for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
     const BiasSetting& setting = spec.engine->settings[i];
     const double value = spec.settings.values[i];
-    if (std::isnan(value)) continue;
+    if (std::isnan(value) || (setting.is_faces && value == setting.value)) continue;
     std::string shown;  // several choices may have one factor
     for (const auto& [name, factor] : setting.choices) {
       if (factor == value) shown += (shown.empty() ? "" : " or ") + std::string(name);
@@ -179,17 +179,24 @@ void add_number_notes(const ConvertedTarget& target, bool is_chosen, std::vector
     const double value = std::clamp(chosen->value, number.min, number.max);
     const bool is_one_for_all =
         target.conversions.size() > 1 && (is_chosen || !number.code.empty()) && !sets_each_place(target);
-    if (is_one_for_all && chosen->excess > 1.005) {
+    const bool is_cut = std::abs(value - chosen->value) > 1e-9 * std::abs(chosen->value);
+    const std::string decider =
+        chosen->is_of_another ? "another case of the light" : with_article(target.places[chosen->place]);
+    if (is_one_for_all && !is_cut && chosen->excess > 1.005) {
       add(
           fmt::format("{} {}: chosen for {}, which needs the largest number; elsewhere it acts as up to {} times "
                       "the bias that is needed",
-                      engine.name, number_name(target, n),
-                      chosen->is_of_another ? "another case of the light" : with_article(target.places[chosen->place]),
-                      digits_text(chosen->excess, 2)));
+                      engine.name, number_name(target, n), decider, digits_text(chosen->excess, 2)));
     }
-    if (std::abs(value - chosen->value) > 1e-9 * std::abs(chosen->value)) {
-      add(fmt::format("{} {}: {} is outside its limits {} to {}", engine.name, number.name, table_number(chosen->value),
-                      number.min, number.max));
+    if (is_cut) {
+      const double share = value / chosen->value;
+      add(fmt::format(
+          "{} {}: {} is outside its limits {} to {}{}", engine.name, number.name, table_number(chosen->value),
+          number.min, number.max,
+          share > 0.0
+              ? fmt::format("; {:.6g} acts as {} times the bias that {}", value, digits_text(share, 2),
+                            target.places.size() > 1 || chosen->is_of_another ? decider + " needs" : "is needed")
+              : ""));
     }
     const double rounded = set_values(target, n)->front();
     if (number.step > 0.0 && std::abs(rounded - value) > 0.05 * std::abs(value)) {
@@ -257,7 +264,7 @@ std::vector<std::string> code_lines(const ConvertedTarget& target, bool has_rema
 std::vector<std::string> notes_of(const ConvertedTarget& target) {
   std::vector<std::string> notes;
   add_engine_notes(target.spec, is_lamp(target.places.front()), notes);
-  add_number_notes(target, true, notes);
+  if (is_complete(target)) add_number_notes(target, true, notes);
   return notes;
 }
 

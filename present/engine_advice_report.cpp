@@ -37,12 +37,16 @@ std::string engine_error_text(const EngineAdvice& advice) {
   const auto acne_of = [](const BiasCell& cell) { return ", acne " + percent(cell.acne); };
   std::string usual;
   if (advice.by_default) {
-    const std::string error = percent(advice.by_default->mae);
+    const BiasCell& usually = *advice.by_default;
+    const std::string error = percent(usually.mae);
     const bool is_less =
-        advice.measured && advice.by_default->mae < advice.measured->mae && error != percent(advice.measured->mae);
-    usual =
-        fmt::format("; {} {}{}", is_less ? "its default numbers have less error," : "with its default numbers error",
-                    error, acne_of(*advice.by_default));
+        advice.measured && usually.mae < advice.measured->mae && error != percent(advice.measured->mae);
+    const bool is_better = is_less && usually.acne <= std::max(advice.measured->acne, little_acne_share);
+    usual = fmt::format("; {} {}{}",
+                        is_better ? "keep its default numbers, which have error"
+                        : is_less ? "its default numbers have less error,"
+                                  : "with its default numbers error",
+                        error, acne_of(usually));
   }
   if (!is_complete(advice.target)) return no_number_text(advice) + usual;
   if (!advice.measured) return "error not measured: " + advice.why_not_measured + usual;
@@ -69,11 +73,16 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
 std::string own_drawing_text(const EngineAdvice& advice) {
   const BiasEngine& engine = *advice.target.spec.engine;
   std::vector<std::string> parts;
-  if (advice.has_own_faces)
-    parts.emplace_back(engine.faces == CasterFaces::back ? "casts back faces" : "casts front faces");
+  if (advice.own_faces) {
+    parts.push_back(fmt::format("casts {}", *advice.own_faces == CasterFaces::all    ? "front and back faces"
+                                            : *advice.own_faces == CasterFaces::back ? "back faces"
+                                                                                     : "front faces"));
+  }
   if (advice.has_own_offset) {
     parts.push_back(
-        fmt::format("adds polygon offset factor {:g}, units {:g}", engine.polygon_factor, engine.polygon_units));
+        engine.polygon_factor == 0.0 && engine.polygon_units == 0.0
+            ? "draws without this polygon offset"
+            : fmt::format("adds polygon offset factor {:g}, units {:g}", engine.polygon_factor, engine.polygon_units));
   }
   if (advice.lacks_offset) parts.emplace_back("has no number for this normal offset");
   if (advice.left_out_slope != 0.0) {
@@ -85,23 +94,21 @@ std::string own_drawing_text(const EngineAdvice& advice) {
 // What no_number_text() does not say.
 std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
   std::vector<std::string> notes = notes_of(advice.target);
-  if (const ConvertedNumber* missing = missing_number(advice)) {
-    std::erase_if(notes, [&](const std::string& note) { return note.ends_with(missing->reason); });
-  }
   if (advice.is_shared) {
     notes.push_back(fmt::format("{}: one light has the same numbers in all cases, the largest that one of them needs",
                                 advice.target.spec.engine->name));
   }
   const std::string own = own_drawing_text(advice);
-  if (own.empty() || (!advice.measured && !advice.by_default)) return notes;
+  if (own.empty() || (!is_complete(advice.target) && !advice.by_default)) return notes;
   std::string searched;
-  if (advice.measured && advice.own_bias) {
+  if (is_complete(advice.target) && advice.own_bias) {
     searched = ": the bias was searched again for this and is " + length_text(*advice.own_bias) +
                (advice.own_bias->unit == LengthUnit::texels ? " of our map" : "");
   }
-  notes.push_back(fmt::format("{}: it {}{}; {}", advice.target.spec.engine->name, own, searched,
-                              advice.measured ? "the errors are those of its numbers, drawn so"
-                                              : "the error of its default numbers is drawn so"));
+  notes.push_back(fmt::format("{}: it {}{}{}", advice.target.spec.engine->name, own, searched,
+                              advice.measured     ? "; the errors are those of its numbers, drawn so"
+                              : advice.by_default ? "; the error of its default numbers is drawn so"
+                                                  : ""));
   return notes;
 }
 

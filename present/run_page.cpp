@@ -212,7 +212,8 @@ RunPage present_run(const RunResults& results, const SweepResults* rows, const P
   RunPage page;
   if (results.tune) {
     page.parts.push_back(present_tuning(results.tune->summary));
-    for (const CaseEngines& each : results.tune->engines) add_engines(page.parts.back(), each.engines, each.title);
+    for (const CaseEngines& each : results.tune->engines)
+      add_engines(page.parts.back(), each.engines, each.title, each.bias);
     page.viewer = add_tune_images(page.parts.back(), results.scene, *results.tune);
   } else if (rows != nullptr) {
     present_rows(page, results, *rows);

@@ -95,7 +95,8 @@ std::string no_advice_text(const ShadowMeasurement& shadow) {
                                 ? "--truth.shadow point"
                                 : flags_without_extent(shadow.emitter);
   const std::string reason =
-      !technique.sums_comparisons ? "only the acne of PCF, which sums depth comparisons, can be counted"
+      !technique.sums_comparisons && !technique.reads_light_extent
+          ? "only the acne of PCF, which sums depth comparisons, can be counted"
       : !technique.taps_independent_of_bias
           ? "the kernel of " + value_text(shadow.experiment, "shadow.technique") + " depends on the bias"
           : "acne can be counted only in a hard shadow (" + flags + ")";

@@ -12,16 +12,16 @@ namespace umbrameter {
 
 /// Errors are those of the run's own settings with the bias that the engine's numbers mean.
 struct EngineAdvice {
-  ConvertedTarget target;                ///< set_values() are what to set
-  std::optional<BiasCell> measured{};    ///< with set_values(); `constant` and `slope` are not set
-  std::optional<BiasCell> by_default{};  ///< with the engine's defaults, likewise
-  std::string why_not_measured{};        ///< which part of set_values() our parameters cannot say
-  bool has_own_faces = false;            ///< it casts faces, and
-  bool has_own_offset = false;           ///< adds a polygon offset, that the run does not
-  bool lacks_offset = false;             ///< its normal offset is of another kind than the run's, and set to 0
-  double left_out_slope = 0.0;           ///< the run's shadow.slope-bias, which `measured` and `by_default` are without
-  std::optional<Length> own_bias{};      ///< the constant bias that was found under these conditions, if one could be
-  bool is_shared = false;                ///< the numbers are those of all cases of the light
+  ConvertedTarget target;                  ///< set_values() are what to set
+  std::optional<BiasCell> measured{};      ///< with set_values(); `constant` and `slope` are not set
+  std::optional<BiasCell> by_default{};    ///< with the engine's defaults, likewise
+  std::string why_not_measured{};          ///< which part of set_values() our parameters cannot say
+  std::optional<CasterFaces> own_faces{};  ///< that cast in the engine, if others than in the run
+  bool has_own_offset = false;             ///< it has another polygon offset than the run besides its numbers
+  bool lacks_offset = false;               ///< it has no number for the run's normal offset, which is then left out
+  double left_out_slope = 0.0;       ///< the run's shadow.slope-bias, which `measured` and `by_default` are without
+  std::optional<Length> own_bias{};  ///< the constant bias that was found under these conditions, if one could be
+  bool is_shared = false;            ///< the numbers are those of all cases of the light
 };
 
 }  // namespace umbrameter

@@ -35,7 +35,8 @@ inline constexpr const char* tuned_file = "tuned.toml";  ///< of a tuning: the e
 /// The best point in the numbers of engines, in one case.
 struct CaseEngines {
   std::string title;  ///< of the case
-  std::vector<EngineAdvice> engines;
+  std::vector<EngineAdvice> engines{};
+  std::string bias{};  ///< which bias they have, if it is not that of the point
 };
 
 struct TuneFindings {

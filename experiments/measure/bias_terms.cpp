@@ -11,8 +11,8 @@
 namespace umbrameter {
 namespace {
 
-bool are_equal(std::span<const double> values) {
-  const auto is_near = [&](double value) { return std::abs(value - values[0]) <= 1e-9 * std::abs(values[0]); };
+bool are_equal(std::span<const double> values, double tolerance = 1e-9) {
+  const auto is_near = [&](double value) { return std::abs(value - values[0]) <= tolerance * std::abs(values[0]); };
   return std::ranges::all_of(values, is_near);
 }
 
@@ -39,7 +39,7 @@ bool set_constant(Experiment& experiment, const MapLayout& layout, const AtPlace
     constant = Length{bias.metres[0]};
   } else if (are_equal(bias.texels)) {
     constant = {bias.texels[0], LengthUnit::texels};
-  } else if (are_equal(bias.depths)) {
+  } else if (are_equal(bias.depths) && takes_bias_unit(layout, LengthUnit::map_depth)) {
     constant = {bias.depths[0], LengthUnit::map_depth};
   } else if (has_equal_texels(layout) &&
              std::ranges::all_of(bias.metres, [&](double metres) { return metres * bias.metres[0] > 0.0; })) {
@@ -90,14 +90,18 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
-    reason = "its bias in metres grows with the depth in a way that no unit of shadow.constant-bias has";
+    reason = "its bias in metres grows with the depth as no unit of shadow.constant-bias does on this map";
+    if (layout.kind == MapKind::perspective && layout.encoded_near == 0.0)
+      reason += "; --shadow.depth-encoding perspective has that unit";
     return {};
   }
   const AtPlaces normal(places, terms, &BiasTerms::normal);
   NormalOffset offset{0.0, 0.0, terms[0].offset.profile};
-  if (are_equal(normal.metres)) {
+  // Three digits, rounded up, are at most a hundredth apart.
+  constexpr double rounding = 0.01;
+  if (are_equal(normal.metres, rounding)) {
     offset.metres = normal.metres[0];
-  } else if (are_equal(normal.texels)) {
+  } else if (are_equal(normal.texels, rounding)) {
     offset.texels = normal.texels[0];
   } else {
     reason = "its normal offset is proportional neither to texels nor to metres";

@@ -42,38 +42,54 @@ class EnginesOfLight {
   bool is_same_light(const EnginesOfLight& other) const { return &stages_ == &other.stages_ && light_ == other.light_; }
 
  private:
-  // What the engine does besides its numbers.
-  static void draw_as(MapDepthParams& depth, const BiasEngine& engine) {
-    depth.polygon_offset_factor = std::max(depth.polygon_offset_factor, engine.polygon_factor);
-    depth.polygon_offset_units = std::max(depth.polygon_offset_units, engine.polygon_units);
-    if (depth.faces == CasterFaces::all) depth.faces = engine.faces;
+  // As the engine draws besides its numbers: nothing of that is the run's own, which may be a preset of another engine.
+  // A unit draws as the run does.
+  void draw_as(MapDepthParams& depth, const BiasSpec& target) const {
+    const BiasEngine& engine = *target.engine;
+    if (engine.is_unit) return;
+    const bool has_factor = has_number(engine, BiasTerm::slope);
+    depth.polygon_offset_factor = std::max(has_factor ? depth.polygon_offset_factor : 0.0, engine.polygon_factor);
+    depth.polygon_offset_units =
+        engine.polygon_units + engine.units_per_factor * (depth.polygon_offset_factor - engine.polygon_factor);
+    depth.faces = faces_of(target);
   }
 
-  // What the engine's numbers have to do: its polygon offset is there without them.
+  // What the engine's numbers have to do: its polygon offset is there without them, and a unit's other parts are ours.
   std::vector<BiasTerms> terms_in(const Experiment& drawn, const BiasSpec& target) const {
     std::vector<BiasTerms> terms = terms_of(drawn, layout_, places_);
-    for (BiasTerms& each : terms) each.slope = std::max(0.0, each.slope - target.engine->polygon_factor);
+    for (BiasTerms& each : terms) {
+      each.slope = std::max(0.0, each.slope - target.engine->polygon_factor);
+      if (!target.engine->is_unit) continue;
+      if (!has_number(*target.engine, BiasTerm::normal)) each.normal = 0.0;
+      if (!has_number(*target.engine, BiasTerm::slope)) each.slope = 0.0;
+    }
     return terms;
   }
 
-  // With the polygon offset and the casting faces that the engine always has, without what it has no number for, and
-  // with the constant bias that is best then.
+  bool lacks_offset(const Experiment& drawn, const BiasSpec& target) const {
+    const std::vector<BiasTerms> terms = terms_in(drawn, target);
+    const bool has_offset = std::ranges::any_of(terms, [](const BiasTerms& each) { return each.normal != 0.0; });
+    return has_offset &&
+           (!has_number(*target.engine, BiasTerm::normal) || has_other_offset(convert_terms(terms, target, places_)));
+  }
+
+  // As the engine draws, without what it has no number for, and with the constant bias that is best then.
   Experiment drawn_by(const BiasSpec& target, EngineAdvice& result) {
     Experiment drawn = experiment_;
     MapDepthParams& depth = drawn.shadow.map_depth;
     const MapDepthParams& own = experiment_.shadow.map_depth;
-    draw_as(depth, *target.engine);
-    result.has_own_faces = depth.faces != own.faces;
+    draw_as(depth, target);
+    result.own_faces = depth.faces != own.faces ? std::optional(depth.faces) : std::nullopt;
     result.has_own_offset = depth.polygon_offset_factor != own.polygon_offset_factor ||
                             depth.polygon_offset_units != own.polygon_offset_units;
-    result.lacks_offset = has_other_offset(convert_terms(terms_in(drawn, target), target, places_));
+    result.lacks_offset = lacks_offset(drawn, target);
     if (result.lacks_offset) {
       drawn.shadow.bias.normal_offset = {};
       depth.caster_offset = {};
     }
-    result.left_out_slope = std::exchange(drawn.shadow.bias.slope, 0.0);
+    if (!target.engine->is_unit) result.left_out_slope = std::exchange(drawn.shadow.bias.slope, 0.0);
     const bool is_as_run =
-        !result.has_own_faces && !result.has_own_offset && !result.lacks_offset && result.left_out_slope == 0.0;
+        !result.own_faces && !result.has_own_offset && !result.lacks_offset && result.left_out_slope == 0.0;
     if (is_as_run) return drawn;
     drawn.run.for_engines.clear();
     const BiasAdvice advice = advise_bias(stages_, drawn, light_);
@@ -97,16 +113,25 @@ class EnginesOfLight {
 
   // The error with these numbers at each place; nothing if one of them is not known.
   std::optional<BiasCell> measure(BiasSpec spec, const std::vector<std::vector<double>>& numbers, std::string& reason) {
+    const BiasEngine& engine = *spec.engine;
     const std::vector<MapPlace> own = places_for(spec, places_);
-    std::vector<BiasTerms> terms;
+    std::vector<BiasTerms> terms = terms_of(experiment_, layout_, places_);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       spec.numbers = numbers[i];
       if (!has_terms(spec, own[i])) return {};
-      terms.push_back(umbrameter::terms_of(spec, own[i]));
+      BiasTerms of_numbers = umbrameter::terms_of(spec, own[i]);
+      if (own[i].light == LightKind::directional) of_numbers.constant += engine.constant_of_range * own[i].range;
+      if (engine.is_unit && !has_number(engine, BiasTerm::normal)) {
+        of_numbers.normal = terms[i].normal;
+        of_numbers.offset = terms[i].offset;
+      }
+      if (engine.is_unit && !has_number(engine, BiasTerm::slope)) of_numbers.slope = terms[i].slope;
+      terms[i] = of_numbers;
     }
     std::optional<Experiment> experiment = with_terms(experiment_, layout_, places_, terms, reason);
     if (!experiment) return {};
-    draw_as(experiment->shadow.map_depth, *spec.engine);
+    draw_as(experiment->shadow.map_depth, spec);
+    if (engine.is_unit) experiment->shadow.bias.slope = experiment_.shadow.bias.slope;
     const VisibilityStatistics s =
         measure_biases(stages_, *experiment, light_, {experiment->shadow.bias.constant.number},
                        {experiment->shadow.bias.slope})
@@ -125,10 +150,9 @@ class EnginesOfLight {
 }  // namespace
 
 std::string no_engines_text(const Stages& stages, const Experiment& experiment, std::uint32_t light) {
-  const char* needed = stages.is_sampled(experiment, light) ? "a hard shadow"
-                       : stages.capabilities(experiment).taps_independent_of_bias
-                           ? "counted pixels"
-                           : "a technique that compares the same texels at every bias";
+  const bool has_curve =
+      !stages.is_sampled(experiment, light) && stages.capabilities(experiment).taps_independent_of_bias;
+  const char* needed = has_curve ? "counted pixels" : "PCF, whose acne can be counted, and a hard shadow";
   return stages.title(light) + ": no bias in the numbers of engines; that needs " + needed;
 }
 

@@ -128,7 +128,7 @@ class Keywords(TypedDict, total=False):
     shadow_cone_bias: float
     """bias per distance of a tap's texel centre from the receiver; a number from 0 to 1e+12. Default: 0.0."""
     shadow_technique: Literal['pcf', 'esm', 'vsm', 'evsm2', 'evsm4', 'msm', 'csm', 'pcss', 'dpcf', 'screen-space']
-    """shadow technique (csm: convolution shadow maps); pcf, esm, vsm, evsm2, evsm4, msm, csm, pcss, dpcf or screen-space. Default: pcf."""
+    """technique (csm: convolution, dpcf: contact-hardening); pcf, esm, vsm, evsm2, evsm4, msm, csm, pcss, dpcf or screen-space. Default: pcf."""
     shadow_filter: Literal['nearest', 'bilinear', 'box', 'tent', 'gaussian', 'poisson', 'vogel', 'optimized', 'area-tent', 'pcf']
     """PCF kernel; nearest, bilinear, box, tent, gaussian, poisson, vogel, optimized or area-tent; pcf means box. Default: nearest."""
     shadow_filter_size: int

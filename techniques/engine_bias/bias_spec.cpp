@@ -146,6 +146,13 @@ BiasSpec default_target(const BiasEngine& engine) {
   return spec;
 }
 
+CasterFaces faces_of(const BiasSpec& spec) {
+  for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
+    if (spec.engine->settings[i].is_faces) return static_cast<CasterFaces>(spec.settings.values[i]);
+  }
+  return spec.engine->faces;
+}
+
 BiasSpec at_light(BiasSpec spec, const MapPlace& place) {
   for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
     const BiasSetting& setting = spec.engine->settings[i];

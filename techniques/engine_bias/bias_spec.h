@@ -24,6 +24,9 @@ BiasSpec parse_bias_source(std::string_view text);
 /// "three:near=1,far=80,unity-urp": engines with settings. Throws Error (usage).
 std::vector<BiasSpec> parse_bias_targets(std::string_view text);
 
+/// The faces that cast in the engine.
+CasterFaces faces_of(const BiasSpec& spec);
+
 /// With the light's range where the engine's formula has one and none is given.
 BiasSpec at_light(BiasSpec spec, const MapPlace& place);
 

@@ -62,6 +62,7 @@ struct BiasSetting {
   std::string_view meaning;
   std::vector<std::pair<std::string_view, double>> choices{};
   bool is_light_range = false;  ///< the light's own where none is given, and the default where that is unlimited
+  bool is_faces = false;        ///< a CasterFaces instead of BiasEngine::faces
 };
 
 /// Values of an engine's settings, in their order.
@@ -108,10 +109,18 @@ struct BiasEngine {
   bool sets_each_cascade = false;
   double polygon_factor = 0.0;  ///< polygon offset with which every caster is drawn besides the numbers
   double polygon_units = 0.0;
-  CasterFaces faces = CasterFaces::all;  ///< that cast by default
+  double units_per_factor = 0.0;         ///< polygon offset units that come with a number's polygon offset factor of 1
+  CasterFaces faces = CasterFaces::all;  ///< that cast
+  double constant_of_range = 0.0;        ///< constant bias of suns besides the numbers, of MapPlace::range
   std::string_view comment = "//";       ///< begins a comment in its code
   std::string_view adapter{};            ///< another name of the engine: that of its adapter and presets
 };
+
+/// Whether a number of the engine is of this term.
+bool has_number(const BiasEngine& engine, BiasTerm term);
+
+/// Those of which no number can be converted.
+std::vector<BiasEngine> engines_without_numbers();
 
 /// All of them, neutral units first.
 const std::vector<BiasEngine>& bias_engines();

@@ -150,8 +150,13 @@ BiasEngine three() {
                    "light.shadow.normalBias = {};",
                    {.facing = OffsetFacing::front}}},
       .settings = {{"near", 0.5, "m", "shadow.camera.near"},
-                   {"far", 500.0, "m", "shadow.camera.far; of a spot light its distance, if that is set"}},
-      .note = "front-sided meshes cast their back faces, unless shadowSide is set",
+                   {"far", 500.0, "m", "shadow.camera.far; of a spot light its distance, if that is set"},
+                   {.name = "shadowSide",
+                    .value = static_cast<double>(CasterFaces::back),
+                    .unit = "1",
+                    .meaning = "of front-sided meshes; no part of the formula",
+                    .choices = {{"double", 0.0}, {"front", 1.0}, {"back", 2.0}},
+                    .is_faces = true}},
       .sets_each_cascade = true,
       .faces = CasterFaces::back,
       .adapter = "threejs"};
@@ -219,10 +224,13 @@ BiasEngine playcanvas() {
                    0.0,
                    1.0}},
       .note =
-          "in addition the receiver always moves by 0.0001 R, and shadowBias v also adds 10 v of the smallest "
+          "in addition the receiver always moves by 0.0001 R under a sun, and shadowBias v also adds 10 v of the "
+          "smallest "
           "depth steps; not with a PCSS map. With a VSM map normalOffsetBias is multiplied by (1 − cos θ), and by the "
           "distance of a spot light",
-      .faces = CasterFaces::front};
+      .units_per_factor = 1.0,
+      .faces = CasterFaces::front,
+      .constant_of_range = 0.0001};
 }
 
 // A texel of half a spot light's map at its range, at every depth. Cube faces are widened by a table of resolutions.
@@ -338,9 +346,11 @@ std::vector<BiasEngine> other_engines() {
        .note =
            "in addition every caster is drawn with polygon offset units 0.5; a VSM map ignores the first two numbers; "
            "the texels of a map that is not `stable` are warped; 1.53.4 gives every sun the default normalBias of 1, "
-           "whatever is set",
+           "whatever is set: search its bias with --shadow.normal-offset 0.5, which is that offset",
        .unverified = "the newest sources scale normalBias differently along the two axes of the map",
-       .note_of_lamps = "a spot light's normalBias has no formula here: 1 acts as 1.2 to 1.3 texels in 1.53.4",
+       .note_of_lamps =
+           "normalBias and polygonOffsetSlope of spot and point lights have no formula here; a spot light's normalBias "
+           "of 1 acts as 1.2 to 1.3 texels in 1.53.4",
        .polygon_units = 0.5,
        .faces = CasterFaces::front},
       {.name = "stride",
@@ -363,32 +373,17 @@ std::vector<BiasEngine> other_engines() {
   };
 }
 
-std::vector<BiasEngine> without_numbers() {
-  const auto make = [](std::string_view name, std::string_view title, std::string_view source, std::string_view why) {
-    return BiasEngine{.name = name, .title = title, .source = source, .no_numbers = why};
-  };
-  return {
-      make("unity-builtin", "Unity, built-in pipeline", "manual",
-           "its source is closed and its unit is not documented"),
-      make("o3de", "O3DE", "ProjectedShadowFeatureProcessor.cpp",
-           "its formula for directional lights is not verified here"),
-      make("ogre-next", "Ogre-Next", "OgreCompositorShadowNodeDef.h, second-hand",
-           "a part of its bias follows from the window of the map automatically, and no source is verified here"),
-      make("wicked", "Wicked Engine", "wiRenderer.cpp @bc3ef16", "it has a fixed polygon offset and no number for it"),
-      make("panda3d", "Panda3D", "shaderGenerator.cxx @c11cb68", "its generated shaders have no bias"),
-      make("eevee", "Blender EEVEE", "release notes of 4.2", "since 4.2 it computes its bias automatically"),
-      make("bgfx", "bgfx, example 16-shadowmaps", "second-hand",
-           "it is an example with a table for each kind of map, not an engine's setting"),
-  };
-}
-
 }  // namespace
+
+bool has_number(const BiasEngine& engine, BiasTerm term) {
+  return std::ranges::any_of(engine.numbers, [&](const BiasNumber& number) { return number.term == term; });
+}
 
 const std::vector<BiasEngine>& bias_engines() {
   static const std::vector<BiasEngine> all = [] {
     std::vector<BiasEngine> engines = neutral_units();
     for (const BiasEngine& each : {godot(), three(), babylon(), playcanvas()}) engines.push_back(each);
-    for (const auto& list : {unity(), other_engines(), without_numbers()}) {
+    for (const auto& list : {unity(), other_engines(), engines_without_numbers()}) {
       engines.insert(engines.end(), list.begin(), list.end());
     }
     return engines;

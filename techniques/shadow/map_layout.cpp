@@ -151,13 +151,18 @@ bool compares_encoded(const MapLayout& layout, LengthUnit bias_unit) {
   return bias_unit == LengthUnit::map_depth && layout.encoded_near > 0.0;
 }
 
+bool takes_bias_unit(const MapLayout& layout, LengthUnit unit) {
+  if (unit == LengthUnit::map_depth && layout.warp && layout.warp->stores_over_w) return false;
+  return !compares_encoded(layout, unit) || layout.kind == MapKind::perspective;
+}
+
 void require_bias_unit(const MapLayout& layout, LengthUnit unit) {
-  if (unit == LengthUnit::map_depth && layout.warp && layout.warp->stores_over_w) {
+  if (takes_bias_unit(layout, unit)) return;
+  if (layout.warp && layout.warp->stores_over_w) {
     throw Error(ExitCode::usage, "shadow.constant-bias",
                 "a warped map with this shadow.depth-encoding stores depths that are divided by w",
                 "give the bias in metres or texels, or use the linear encoding");
   }
-  if (!compares_encoded(layout, unit) || layout.kind == MapKind::perspective) return;
   throw Error(ExitCode::usage, "shadow.constant-bias",
               "a cube map with this shadow.depth-encoding stores a depth along each face's axis, not from the light",
               "give the bias in metres or texels, or use the linear encoding");

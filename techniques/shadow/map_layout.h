@@ -139,8 +139,11 @@ double bias_factor(const MapView& view, LengthUnit unit);
 /// Whether depths are compared as the map stores them, and not in metres.
 bool compares_encoded(const MapLayout& layout, LengthUnit bias_unit);
 
-/// Throws Error (usage) where a constant bias cannot have this unit: the map's depth in a cube whose faces store the
-/// depth of a perspective projection, because a face's depth is not the distance from the light.
+/// Whether a constant bias can have this unit: not the map's depth in a cube whose faces store the depth of a
+/// perspective projection, because a face's depth is not the distance from the light, nor in a map that stores it over
+/// w.
+bool takes_bias_unit(const MapLayout& layout, LengthUnit unit);
+/// Throws Error (usage) unless it can.
 void require_bias_unit(const MapLayout& layout, LengthUnit unit);
 
 /// Whether all texels of a view have one size.

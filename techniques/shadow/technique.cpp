@@ -10,7 +10,7 @@ namespace {
 Parameters describe(ShadowTechniques::Choice& technique) {
   return Description("shadow")
       .choice("technique", technique, ShadowTechniques::names,
-              {.unit = {}, .meaning = "shadow technique (csm: convolution shadow maps)", .basic = true})
+              {.unit = {}, .meaning = "technique (csm: convolution, dpcf: contact-hardening)", .basic = true})
       .take();
 }
 

@@ -173,12 +173,12 @@ TEST_F(ForEngines, A_note_that_holds_for_several_lights_is_said_once) {
 
 // The bias is searched again without what the engine has no number for, so that it is that of a run without it.
 TEST_F(ForEngines, A_part_that_an_engine_has_no_number_for_is_left_out_of_the_search) {
-  const std::vector<std::string> faces = {"--shadow.faces", "front", "--for", "three:near=1,far=51"};
+  const std::vector<std::string> faces = {"--shadow.faces", "back", "--for", "three:near=1,far=51"};
   const std::vector<std::string> offset = {"--shadow.normal-offset", "1"};  // of another kind than three.js's
   const auto three = [&](const std::vector<std::string>& more) {
     return compare(words(more, faces)).at("recommended_bias").at("engines").at(0);
   };
-  const Json without = compare({"--shadow.faces", "front"}).at("recommended_bias");
+  const Json without = compare({"--shadow.faces", "back"}).at("recommended_bias");
   for (const std::vector<std::string>& part : {std::vector<std::string>{"--shadow.slope-bias", "1.5"}, offset}) {
     const Json of_part = three(part);
     EXPECT_NEAR(-50.0 * of_part.at("numbers").at(0).at("values").at(0).get<double>(),
@@ -199,6 +199,48 @@ TEST_F(ForEngines, The_bias_of_an_engine_that_draws_otherwise_does_not_depend_on
         .at("numbers");
   };
   EXPECT_EQ(set("1.5texels"), set("4texels"));
+}
+
+// The run's faces and polygon offset may be those of another engine's preset.
+TEST_F(ForEngines, What_the_run_draws_does_not_enter_the_numbers_of_an_engine) {
+  const Json filament = compare({"--shadow.faces", "back", "--shadow.polygon-offset-units", "4", "--for", "filament"})
+                            .at("recommended_bias")
+                            .at("engines")
+                            .at(0);
+  const std::vector<std::string> as_filament = {"--shadow.faces", "front", "--shadow.polygon-offset-units", "0.5"};
+  const double set = filament.at("numbers").at(0).at("set").at(0);
+  const Json by_hand = compare(words({"--shadow.constant-bias", fmt::format("{}", set)}, as_filament));
+  EXPECT_NEAR(filament.at("mae").get<double>(), error_of(by_hand), 1e-9);
+  const Json best = compare(as_filament).at("recommended_bias").at("recommended");
+  EXPECT_LE(filament.at("mae").get<double>(), 1.06 * best.at("mae").get<double>() + 1e-4);
+}
+
+TEST_F(ForEngines, The_defaults_of_PlayCanvas_have_the_constant_that_it_always_adds) {
+  const Json shadow = compare({"--preset", "playcanvas-pcf1", "--for", "playcanvas"});
+  const Json& playcanvas = shadow.at("recommended_bias").at("engines").at(0);
+  EXPECT_NEAR(playcanvas.at("mae_of_defaults").get<double>(), error_of(shadow), 1e-9);
+}
+
+TEST_F(ForEngines, Numbers_of_cascades_that_differ_by_their_rounding_are_measured) {
+  const Json three =
+      compare({"--preset", "bevy", "--for", "three"}, "two-occluders").at("recommended_bias").at("engines").at(0);
+  ASSERT_GT(three.at("places").size(), 1u);
+  EXPECT_TRUE(three.at("mae").is_number());
+}
+
+TEST_F(ForEngines, A_map_that_has_no_bias_in_its_depth_leaves_the_error_open) {
+  const Json three = compare({"--preset", "bevy-point", "--for", "three"}, "courtyard", "lantern")
+                         .at("recommended_bias")
+                         .at("engines");
+  EXPECT_TRUE(three.at(0).at("mae").is_null());
+}
+
+TEST_F(ForEngines, A_tuning_of_other_axes_names_the_bias_that_it_converts) {
+  const ProgramResult tune =
+      run_program({"tune", "courtyard", "--light", "sun", "--size", "160x90", "--no-figures", "--vary",
+                   "shadow.resolution=512,1024", "--for", "texels", "-o", folder_ / "out"});
+  ASSERT_EQ(tune.exit_code, 0) << tune.err;
+  expect_words(tune.out, {", the bias that compare recommends at this point, "});
 }
 
 // An engine has one number for a light, whichever camera looks.
@@ -232,9 +274,10 @@ TEST_F(ForEngines, What_an_engine_draws_otherwise_than_the_run_is_said_with_the_
                 " of our map; the errors are those of its numbers, drawn so"});
   const std::string set = lines({"--for", "three", "--shadow.faces", "back"});
   EXPECT_EQ(set.find("it casts"), std::string::npos) << set;
-  // Filament has both; the run's own faces stay.
+  EXPECT_EQ(lines({"--for", "three:shadowSide=double"}).find("it casts"), std::string::npos);
+  // Filament has both.
   const std::string filament = lines({"--for", "filament", "--shadow.faces", "back"});
-  expect_words(filament, {"note: filament: it adds polygon offset factor 0, units 0.5: "});
+  expect_words(filament, {"note: filament: it casts front faces and adds polygon offset factor 0, units 0.5: "});
 }
 
 TEST_F(ForEngines, A_sweep_and_a_tuning_state_their_best_bias) {
