@@ -129,13 +129,14 @@ std::string cell(double value, int digits) { return std::isnan(value) ? "-" : fm
 
 constexpr const char* weighted_meaning =
     "weighted 25 %, 50 %, 75 %: pixels with at most this value make up this part of the map's sum (FLIP's weighted "
-    "quartiles)";
+    "quartiles); - for a map with values below 0";
 
 constexpr const char* few_edges =
     "note: few edges pass from below 0.1 to above 0.9 in both images, as those of shadow masks do: "
     "edge metrics of others say little";
 
-constexpr const char* squared_maps = "map of rmse, psnr and edge-roughness: squares, in the square of the unit";
+constexpr const char* squared_maps =
+    "maps of rmse, psnr, relative-rmse: squares of the (relative) differences; of edge-roughness: px²";
 
 bool finds_few_edges(const std::vector<Measured>& all) {
   constexpr double few = 0.05;  // of the reference's edge points
@@ -279,7 +280,8 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
                          chose_layer ? "; channels R, G, B: --layer selects another layer" : ""));
   for (const std::string& text : table_lines(all)) print_line(console, text);
   if (std::ranges::any_of(all, [](const Measured& each) {
-        return each.metric->name == "rmse" || each.metric->name == "psnr" || each.metric->name == "edge-roughness";
+        return each.metric->name == "rmse" || each.metric->name == "psnr" || each.metric->name == "relative-rmse" ||
+               each.metric->name == "edge-roughness";
       })) {
     print_line(console, squared_maps);
   }

@@ -145,7 +145,8 @@ void add_caveats(const TuneRun& run, const TuneSummary& summary) {
       caveats.push_back(filter_warning(filter_remedy("--minimize")));
     if (needs_biases(axes)) caveats.emplace_back(one_bias_warning);
   }
-  if (first.quantity == SweptQuantity::ao) {
+  // It is of the mean absolute error: another cost may rank no AO otherwise.
+  if (first.quantity == SweptQuantity::ao && not_relative(run.job.goal).text == error_statistic) {
     for (const TuneCase& each : run.cases) {
       const Experiment used = at_point(each, summary.axes, point_to_use(summary.result).values);
       const SampledError error = measure_ao(*each.stages, used, {}).statistics->error;

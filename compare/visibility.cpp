@@ -73,16 +73,18 @@ VisibilityStatistics to_statistics(const VisibilitySums& sums, const TruthCounts
   if (truth.pixels == 0) return statistics;
   const auto pixels = static_cast<double>(truth.pixels);
   const double weight = sums.weight_sum;
-  const auto share = [&](std::size_t cause) { return static_cast<double>(sums.wrong[cause]) / (pixels * weight); };
+  // Each of a sum of whole taps, so that equal errors are equal to the last digit, whatever their causes.
+  const auto share = [&](auto taps) { return static_cast<double>(taps) / (pixels * weight); };
+  const auto& [acne, occlusion, panning, leak] = sums.wrong;
   statistics.lit = static_cast<double>(truth.lit) / pixels;
   statistics.blocked = static_cast<double>(truth.pixels - truth.lit) / pixels;
-  statistics.acne = share(0);
-  statistics.false_occlusion = share(1);
-  statistics.peter_panning = share(2);
-  statistics.leak = share(3);
-  statistics.false_blocked = statistics.acne + statistics.false_occlusion;
-  statistics.false_lit = statistics.peter_panning + statistics.leak;
-  statistics.mae = statistics.false_blocked + statistics.false_lit;
+  statistics.acne = share(acne);
+  statistics.false_occlusion = share(occlusion);
+  statistics.peter_panning = share(panning);
+  statistics.leak = share(leak);
+  statistics.false_blocked = share(acne + occlusion);
+  statistics.false_lit = share(panning + leak);
+  statistics.mae = share(acne + occlusion + panning + leak);
   statistics.mean_error = statistics.false_lit - statistics.false_blocked;
   statistics.rmse = std::sqrt(static_cast<double>(sums.squares) / pixels) / weight;
   statistics.max_error = sums.largest / weight;

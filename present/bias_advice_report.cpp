@@ -70,8 +70,8 @@ std::string advice_text(const BiasAdvice& advice) {
   }
   // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= advice.plateau.limit;
-  const char* reason = reason_text(advice.plateau, is_for_acne);
-  const bool shows_acne = is_for_acne || *reason != '\0';
+  const char* reason = used.acne > little_acne_share ? reason_text(advice.plateau, is_for_acne) : "";
+  const bool shows_acne = is_for_acne || *reason != '\0' || recommended.acne > used.acne;
   return fmt::format("use bias {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended), reason,
                      shows_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
                      percent(used.mae), percent(recommended.mae), range,

@@ -40,7 +40,8 @@ std::string settings_text(const BiasSpec& spec) {
       if (factor == value) shown += (shown.empty() ? "" : " or ") + std::string(name);
     }
     const std::string number = fmt::format("{:.6g}{}", value, setting.unit == "m" ? " m" : "");
-    shown = shown.empty() ? number : setting.unit == "1" ? fmt::format("{} ({})", shown, number) : shown;
+    const bool is_factor = setting.unit == "1" && !setting.is_faces;
+    shown = shown.empty() ? number : is_factor ? fmt::format("{} (factor {})", shown, number) : shown;
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.name, shown);
   }
   return text;

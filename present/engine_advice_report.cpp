@@ -84,7 +84,8 @@ std::string own_drawing_text(const EngineAdvice& advice) {
             ? "draws without this polygon offset"
             : fmt::format("adds polygon offset factor {:g}, units {:g}", engine.polygon_factor, engine.polygon_units));
   }
-  if (advice.lacks_offset) parts.emplace_back("has no number for this normal offset");
+  if (!advice.lost_offset.empty())
+    parts.push_back(fmt::format("has no equivalent of this normal offset ({})", advice.lost_offset));
   if (advice.left_out_slope != 0.0) {
     parts.push_back(fmt::format("has no number for shadow.slope-bias {:.3g}", advice.left_out_slope));
   }

@@ -194,6 +194,10 @@ std::vector<std::string> gate_notes(const std::vector<BudgetEntry>& budget,
     add(fmt::format("no bound names {} ({}): nothing of it was checked; --update adds bounds for it", each.run,
                     each.scene));
   }
+  for (const UncheckedBounds& each : unchecked_bounds(budget, measured)) {
+    add(fmt::format("{} ({}) does not have {}: what {} was not checked in it", each.run, each.where,
+                    joined(each.statistics, ", "), each.statistics.size() == 1 ? "bounds it" : "bounds these"));
+  }
   for (const MeasuredStatistic& each : measured) {
     if (each.view.empty()) continue;
     add(fmt::format("{} is a sweep over views, of which only that of least error is checked ({}); run compare for each",

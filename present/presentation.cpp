@@ -120,8 +120,10 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
   if (precision.pixels == 0) return {};
   std::string text = fmt::format(
       "The 95 % confidence intervals account for the sampling noise of the reference. The interval of a single pixel "
-      "is ± {:.2g} % on average and ± {:.2g} % at most, with {:.0f} rays per pixel on average.",
-      100.0 * precision.mean_half_width, 100.0 * precision.worst_half_width, precision.mean_samples);
+      "is ± {} % on average and ± {} % at most{}, with {:.0f} rays per pixel on average.",
+      digits_text(100.0 * precision.mean_half_width, 2), digits_text(100.0 * precision.worst_half_width, 2),
+      truth.shadow == ShadowReference::pixel ? ", where few of a pixel's points see the surface of its centre" : "",
+      precision.mean_samples);
   if (truth.tolerance > 0.0) {
     text += fmt::format(
         " {} of {} pixels stopped at truth.max-spp ({} rays) before they reached the tolerance of ± {:g} %.",
@@ -131,9 +133,9 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
 }
 
 std::string precision_line(const SamplingPrecision& precision) {
-  std::string line =
-      fmt::format("{:.0f} rays per pixel; 95 % interval of a pixel: ± {:.2g} % on average, ± {:.2g} % at most",
-                  precision.mean_samples, 100.0 * precision.mean_half_width, 100.0 * precision.worst_half_width);
+  std::string line = fmt::format("{:.0f} rays per pixel; 95 % interval of a pixel: ± {} % on average, ± {} % at most",
+                                 precision.mean_samples, digits_text(100.0 * precision.mean_half_width, 2),
+                                 digits_text(100.0 * precision.worst_half_width, 2));
   if (precision.pixels_at_limit > 0) {
     line += fmt::format("; {} of {} pixels stopped at truth.max-spp", precision.pixels_at_limit, precision.pixels);
   }

@@ -249,11 +249,12 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const TuneGoal absolute = not_relative(goal);
     const TunePoint& checked = held.recommended ? *held.recommended : held.best;
     answers.push_back(
-        fmt::format("held out ({}): default {} → {}; {}",
+        fmt::format("held out ({}): {}default {} → {}; {}",
                     held.cases.size() > 2
                         ? fmt::format("{} cases: {}, …, {}", held.cases.size(), held.cases.front(), held.cases.back())
                         : joined(held.cases, "; "),
-                    held_text(absolute, held.before, held.cases), held_text(absolute, checked, held.cases),
+                    goal.is_relative ? cost_words(absolute) + ", " : "", held_text(absolute, held.before, held.cases),
+                    held_text(absolute, checked, held.cases),
                     judged(absolute, held.recommended ? "the recommended point" : "the best point",
                            held.recommended ? held.recommended_difference : held.difference,
                            checked.score.cost - held.before.score.cost)));
@@ -316,7 +317,9 @@ std::vector<std::string> end_warnings(const TuneSummary& summary) {
     if (!matters) continue;
     add(a, best.values[a], "the ");
     for (const WordPoint& word : summary.result.of_words) {
-      if (word.point.values == best.values) continue;
+      if (word.point.values == best.values ||
+          std::ranges::find(word.unread, summary.axes[a].key()) != word.unread.end())
+        continue;
       add(a, word.point.values[a],
           fmt::format("with {} the ", value_text(summary.axes[word.axis], word.point.values[word.axis])));
     }

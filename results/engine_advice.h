@@ -18,7 +18,8 @@ struct EngineAdvice {
   std::string why_not_measured{};          ///< which part of set_values() our parameters cannot say
   std::optional<CasterFaces> own_faces{};  ///< that cast in the engine, if others than in the run
   bool has_own_offset = false;             ///< it has another polygon offset than the run besides its numbers
-  bool lacks_offset = false;               ///< it has no number for the run's normal offset, which is then left out
+  /// Why it has no number for the run's normal offset, which is then left out; empty if it has one.
+  std::string lost_offset{};
   double left_out_slope = 0.0;       ///< the run's shadow.slope-bias, which `measured` and `by_default` are without
   std::optional<Length> own_bias{};  ///< the constant bias that was found under these conditions, if one could be
   bool is_shared = false;            ///< the numbers are those of all cases of the light

@@ -29,6 +29,7 @@ struct AxisScan {
 struct WordPoint {
   std::size_t axis = 0;
   TunePoint point;
+  std::vector<std::string> unread{};  ///< parameters of other axes that the measurement does not read there
 };
 
 struct TuneResult {

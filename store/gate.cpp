@@ -56,13 +56,21 @@ bool equal_words(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-bool names(const BudgetEntry& entry, const MeasuredStatistic& measured) {
+// Whether the entry is of the part of a run, a light or AO, that has the statistic.
+bool names_part(const BudgetEntry& entry, const MeasuredStatistic& measured) {
   const StatisticName name = parse_statistic_name(entry.statistic);
   const std::string& kind = name.kind.empty() ? entry.kind : name.kind;
   const bool is_light = entry.light.empty() || equal_words(entry.light, measured.light) ||
                         (measured.light_index >= 0 && entry.light == std::to_string(measured.light_index));
-  return name.name == measured.name && (kind.empty() || kind == measured.kind) &&
-         (entry.scene.empty() || entry.scene == measured.scene) && is_light;
+  return (kind.empty() || kind == measured.kind) && (entry.scene.empty() || entry.scene == measured.scene) && is_light;
+}
+
+bool names(const BudgetEntry& entry, const MeasuredStatistic& measured) {
+  return parse_statistic_name(entry.statistic).name == measured.name && names_part(entry, measured);
+}
+
+bool is_same_part(const MeasuredStatistic& a, const MeasuredStatistic& b) {
+  return a.run == b.run && a.scene == b.scene && a.kind == b.kind && a.light == b.light;
 }
 
 // Some run reports it, or some run could.
@@ -251,6 +259,29 @@ std::vector<MeasuredStatistic> unbounded(const std::vector<BudgetEntry>& budget,
              std::ranges::any_of(budget, [&](const BudgetEntry& entry) { return names(entry, other); });
     });
     if (!is_bounded) all.push_back(each);
+  }
+  return all;
+}
+
+std::vector<UncheckedBounds> unchecked_bounds(const std::vector<BudgetEntry>& budget,
+                                              const std::vector<MeasuredStatistic>& measured) {
+  std::vector<UncheckedBounds> all;
+  std::vector<const MeasuredStatistic*> parts;
+  for (const MeasuredStatistic& each : measured) {
+    if (std::ranges::any_of(parts, [&](const MeasuredStatistic* other) { return is_same_part(*other, each); }))
+      continue;
+    parts.push_back(&each);
+    UncheckedBounds left{each.run, each.scene + (each.light.empty() ? "" : ", ") + each.light, {}};
+    for (const BudgetEntry& entry : budget) {
+      const auto is_named = [&](const MeasuredStatistic& other) { return names(entry, other); };
+      // What no run has fails.
+      const bool could_have = find_known(each.kind, parse_statistic_name(entry.statistic).name) != nullptr;
+      if (!could_have || !names_part(entry, each) || std::ranges::none_of(measured, is_named)) continue;
+      const bool is_here = std::ranges::any_of(
+          measured, [&](const MeasuredStatistic& other) { return is_same_part(other, each) && is_named(other); });
+      if (!is_here) left.statistics.push_back(entry.statistic);
+    }
+    if (!left.statistics.empty()) all.push_back(std::move(left));
   }
   return all;
 }

@@ -61,6 +61,16 @@ std::vector<BudgetEntry> budgets_of(const std::vector<std::string>& fail_if);
 std::vector<MeasuredStatistic> unbounded(const std::vector<BudgetEntry>& budget,
                                          const std::vector<MeasuredStatistic>& measured);
 
+/// Bounds that name a part of a run, such as a light, which does not have their statistic, while another run has it:
+/// they are checked in the other run alone.
+struct UncheckedBounds {
+  std::string run;
+  std::string where;  ///< "courtyard, sun"
+  std::vector<std::string> statistics{};
+};
+std::vector<UncheckedBounds> unchecked_bounds(const std::vector<BudgetEntry>& budget,
+                                              const std::vector<MeasuredStatistic>& measured);
+
 /// Sets the bounds to the measured values with their head room, rounded away from it. A budget over several statistics
 /// takes the worst. A run of which it bounds nothing gets a bound for each of its errors.
 std::vector<BudgetEntry> update_budget(std::vector<BudgetEntry> budget, const std::vector<MeasuredStatistic>& measured);

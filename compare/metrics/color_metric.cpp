@@ -111,6 +111,7 @@ PooledMap pool(const Image<float>& map) {
   pooled.percentile_95 = percentile(0.95);
   pooled.percentile_99 = percentile(0.99);
   const auto weighted = [&](double share) {
+    if (pooled.min < 0.0) return nan;  // values of either sign cancel in the sum
     double running = 0.0;
     for (const float value : values) {
       running += static_cast<double>(value);

@@ -45,9 +45,11 @@ SsimMaps ssim_maps(const Image<float>& test, const Image<float>& reference, cons
       const std::size_t i = test.index(column, static_cast<int>(row));
       const double mx = static_cast<double>(mean_x[i]);
       const double my = static_cast<double>(mean_y[i]);
-      const double variances =
-          factor * (static_cast<double>(mean_xx[i]) - mx * mx + static_cast<double>(mean_yy[i]) - my * my);
       const double covariance = factor * (static_cast<double>(mean_xy[i]) - mx * my);
+      // At least that by Cauchy and Schwarz, which rounding would break.
+      const double variances =
+          std::max(factor * (static_cast<double>(mean_xx[i]) - mx * mx + static_cast<double>(mean_yy[i]) - my * my),
+                   2.0 * covariance);
       const double a = mx + static_cast<double>(middle);
       const double b = my + static_cast<double>(middle);
       const double structure = (2.0 * covariance + c2) / (variances + c2);

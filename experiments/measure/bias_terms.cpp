@@ -39,7 +39,7 @@ bool set_constant(Experiment& experiment, const MapLayout& layout, const AtPlace
     constant = Length{bias.metres[0]};
   } else if (are_equal(bias.texels)) {
     constant = {bias.texels[0], LengthUnit::texels};
-  } else if (are_equal(bias.depths) && takes_bias_unit(layout, LengthUnit::map_depth)) {
+  } else if (are_equal(bias.depths)) {
     constant = {bias.depths[0], LengthUnit::map_depth};
   } else if (has_equal_texels(layout) &&
              std::ranges::all_of(bias.metres, [&](double metres) { return metres * bias.metres[0] > 0.0; })) {

@@ -66,11 +66,16 @@ class EnginesOfLight {
     return terms;
   }
 
-  bool lacks_offset(const Experiment& drawn, const BiasSpec& target) const {
+  // Why the engine has no number for the normal offset; empty if it has one, or there is none.
+  std::string why_no_offset(const Experiment& drawn, const BiasSpec& target) const {
     const std::vector<BiasTerms> terms = terms_in(drawn, target);
-    const bool has_offset = std::ranges::any_of(terms, [](const BiasTerms& each) { return each.normal != 0.0; });
-    return has_offset &&
-           (!has_number(*target.engine, BiasTerm::normal) || has_other_offset(convert_terms(terms, target, places_)));
+    if (std::ranges::all_of(terms, [](const BiasTerms& each) { return each.normal == 0.0; })) return {};
+    for (const BiasNumber& number : target.engine->numbers) {
+      if (number.term != BiasTerm::normal) continue;
+      if (!has_other_offset(convert_terms(terms, target, places_))) return {};
+      return fmt::format("its {} {}, the run {}", number.name, text_of(number.offset), text_of(terms.front().offset));
+    }
+    return "it has no normal offset";
   }
 
   // As the engine draws, without what it has no number for, and with the constant bias that is best then.
@@ -82,14 +87,14 @@ class EnginesOfLight {
     result.own_faces = depth.faces != own.faces ? std::optional(depth.faces) : std::nullopt;
     result.has_own_offset = depth.polygon_offset_factor != own.polygon_offset_factor ||
                             depth.polygon_offset_units != own.polygon_offset_units;
-    result.lacks_offset = lacks_offset(drawn, target);
-    if (result.lacks_offset) {
+    result.lost_offset = why_no_offset(drawn, target);
+    if (!result.lost_offset.empty()) {
       drawn.shadow.bias.normal_offset = {};
       depth.caster_offset = {};
     }
     if (!target.engine->is_unit) result.left_out_slope = std::exchange(drawn.shadow.bias.slope, 0.0);
     const bool is_as_run =
-        !result.own_faces && !result.has_own_offset && !result.lacks_offset && result.left_out_slope == 0.0;
+        !result.own_faces && !result.has_own_offset && result.lost_offset.empty() && result.left_out_slope == 0.0;
     if (is_as_run) return drawn;
     drawn.run.for_engines.clear();
     const BiasAdvice advice = advise_bias(stages_, drawn, light_);
@@ -130,6 +135,10 @@ class EnginesOfLight {
     }
     std::optional<Experiment> experiment = with_terms(experiment_, layout_, places_, terms, reason);
     if (!experiment) return {};
+    if (!takes_bias_unit(layout_, experiment->shadow.bias.constant.unit)) {
+      reason = "it is a share of the map's depth, in which this map has no bias: a face's depth is not the distance";
+      return {};
+    }
     draw_as(experiment->shadow.map_depth, spec);
     if (engine.is_unit) experiment->shadow.bias.slope = experiment_.shadow.bias.slope;
     const VisibilityStatistics s =

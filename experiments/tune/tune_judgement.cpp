@@ -83,7 +83,7 @@ TuneJudgement judge(const JudgeInput& in, const std::function<void(double)>& pro
          shown_at(result.before, as_given()),
          cost_difference(in.goal, result.before.cases, of_before, result.best.cases, of_best)});
   }
-  for (const auto& [axis, point] : result.of_words) {
+  for (const auto& [axis, point, unread] : result.of_words) {
     ComparedPoint compared{axis, point, shown_at(point, at(in, point.values)), {}, point.values == result.best.values};
     if (!compared.is_best) {
       compared.difference = cost_difference(

@@ -88,7 +88,7 @@ class Search {
       std::vector<std::size_t> all = words_;
       all.insert(all.end(), numbers_.begin(), numbers_.end());
       for_each_combination(all, first_values(), [&](const std::vector<Value>& values) { evaluate(values); });
-    } else if (numbers_.empty()) {
+    } else if (numbers_.empty() || combinations_of_words() > limit_) {
       throw Error(ExitCode::usage, "--evaluations",
                   fmt::format("{} is fewer than the {} combinations of the axes", limit_, combinations_of_words()),
                   "give at least as many, or fewer values");
@@ -160,11 +160,14 @@ class Search {
     const std::size_t combinations = combinations_of_words();
     result_.method = fmt::format("{}DIRECT-L, then subplex", words_.empty() ? "" : "for each combination of words ");
     const std::size_t share = combinations == 1 ? limit_ : limit_ * 8 / 10 / combinations;
-    const std::size_t global = std::max<std::size_t>(2 * numbers_.size() + 1, share * 6 / 10);
+    // Few evaluations reach every combination, if not the last search.
+    const std::size_t most = limit_ / combinations;
+    const std::size_t global = std::min(most, std::max<std::size_t>(2 * numbers_.size() + 1, share * 6 / 10));
+    const std::size_t local = std::min(most, std::max(share, global + 1));
     for_each_combination(words_, first_values(), [&](const std::vector<Value>& words) {
       const std::size_t before = result_.points.size();
       search_from(words, in_.given, true, before + global);
-      if (combinations > 1) search_from(words, best_since(before).values, false, before + std::max(share, global + 1));
+      if (combinations > 1) search_from(words, best_since(before).values, false, before + local);
     });
     const std::vector<Value> start = best_since(0).values;
     search_from(start, start, false, limit_ + 1);

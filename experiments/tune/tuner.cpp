@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "core/interrupt.h"
+#include "core/lists.h"
 #include "experiments/measure/measure_biases.h"
+#include "experiments/sweep/axis_effects.h"
 #include "experiments/tune/tune_points.h"
 
 namespace umbrameter {
@@ -37,6 +39,43 @@ BiasEvidence evidence_of(const TuneInput& in, const std::vector<Value>& values) 
   return all;
 }
 
+// The slope-scaled bias and, of the cases, the most acne of each cell.
+void add_acne(std::vector<BiasCell>& cells, const TuneInput& in, const std::vector<Value>& values) {
+  const std::vector<double> constants = mapped(cells, &BiasCell::constant);
+  for (const TuneCase& each : in.cases) {
+    throw_if_interrupted();
+    const Experiment experiment = at_point(each, in.axes, values);
+    const auto measured =
+        measure_biases(*each.stages, experiment, each.light, constants, {experiment.shadow.bias.slope});
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      cells[i].slope = experiment.shadow.bias.slope;
+      cells[i].acne = std::max(cells[i].acne, measured.front()[i].acne);
+    }
+  }
+}
+
+// The recommended bias, rounded up to three digits if that one is as good: what is printed is then the very bias whose
+// error is printed.
+void round_recommended(TuneResult& result, TunePoint& point, const TuneInput& in, const PointMeasurer& measurer) {
+  BiasPlateau& plateau = *result.plateau;
+  const double exact = plateau.recommended.constant;
+  const double step = std::pow(10.0, std::floor(std::log10(std::abs(exact))) - 2.0);
+  if (exact == 0.0 || !in.axes[*measurer.layout().exact].is_continuous) return;
+  BiasCell cell{std::stod(fmt::format("{:.3g}", std::ceil(exact / step - 1e-9) * step)), 0.0, 0.0};
+  if (cell.constant == exact || cell.constant > plateau.last.constant) return;
+  std::vector<Value> values = result.best.values;
+  values[*measurer.layout().exact] = cell.constant;
+  const TunePoint rounded = scored(measurer.measure({TuneQuery::Kind::scan, values}, result.goal), result.goal);
+  std::vector<BiasCell> cells = {cell};
+  add_acne(cells, in, values);
+  cells[0].mae = rounded.score.cost;
+  const bool is_as_good =
+      rounded.score.is_kept() && cells[0].mae <= plateau.limit && cells[0].acne <= little_acne_share;
+  if (!is_as_good) return;
+  plateau.recommended = cells[0];
+  point = rounded;
+}
+
 void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& measurer) {
   const std::vector<TunePoint> all = measurer.measure_curve(result.best.values, result.goal);
   const std::vector<double>& constants = measurer.constants();
@@ -48,16 +87,7 @@ void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& 
     const bool is_kept = all[i].score.is_kept() && !std::isnan(all[i].score.cost);
     cells.push_back({constants[i], 0.0, is_kept ? all[i].score.cost : std::numeric_limits<double>::infinity()});
   }
-  for (const TuneCase& each : in.cases) {
-    throw_if_interrupted();
-    const Experiment experiment = at_point(each, in.axes, result.best.values);
-    const auto measured =
-        measure_biases(*each.stages, experiment, each.light, constants, {experiment.shadow.bias.slope});
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      cells[i].slope = experiment.shadow.bias.slope;
-      cells[i].acne = std::max(cells[i].acne, measured.front()[i].acne);
-    }
-  }
+  add_acne(cells, in, result.best.values);
   std::ranges::sort(cells, [](const BiasCell& a, const BiasCell& b) { return a.constant < b.constant; });
   result.evidence = evidence_of(in, result.best.values);
   // Only this cost is a share of pixels, of which a few are chance.
@@ -66,7 +96,8 @@ void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& 
   result.withheld = reason_against_on_axis(*result.plateau, result.evidence);
   if (result.withheld || !result.plateau->has_little_acne()) return;
   const auto recommended = std::ranges::find(constants, result.plateau->recommended.constant);
-  const TunePoint& point = all.at(static_cast<std::size_t>(recommended - constants.begin()));
+  TunePoint point = all.at(static_cast<std::size_t>(recommended - constants.begin()));
+  round_recommended(result, point, in, measurer);
   if (point.values != result.best.values) result.recommended = point;
 }
 
@@ -89,7 +120,18 @@ void find_runner_up(TuneResult& result, const std::vector<TuneAxis>& axes) {
   }
 }
 
-void find_best_of_words(TuneResult& result, const std::vector<TuneAxis>& axes) {
+std::vector<std::string> unread_at(const TunePoint& point, const TuneInput& in) {
+  const TuneCase& first = in.cases.front();
+  const Experiment experiment = at_point(first, in.axes, point.values);
+  std::vector<std::string> unread;
+  for (const TuneAxis& axis : in.axes) {
+    if (!is_read(first.quantity, experiment, axis.key())) unread.push_back(axis.key());
+  }
+  return unread;
+}
+
+void find_best_of_words(TuneResult& result, const TuneInput& in) {
+  const std::vector<TuneAxis>& axes = in.axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     if (!axes[a].is_word()) continue;
     for (const Value& word : axes[a].axis.values) {
@@ -97,7 +139,7 @@ void find_best_of_words(TuneResult& result, const std::vector<TuneAxis>& axes) {
       for (const TunePoint& point : result.points) {
         if (point.values[a] == word && (best == nullptr || is_better(point.score, best->score))) best = &point;
       }
-      if (best != nullptr) result.of_words.push_back({a, *best});
+      if (best != nullptr) result.of_words.push_back({a, *best, unread_at(*best, in)});
     }
   }
 }
@@ -127,7 +169,7 @@ TuneResult tune(const TuneInput& input, TuneJournal& journal, const TuneProgress
   TuneResult result = search_points(search, ask, progress);
   if (exact) find_plateau(result, input, measurer);
   find_runner_up(result, input.axes);
-  find_best_of_words(result, input.axes);
+  find_best_of_words(result, input);
   result.scans = scan_axes(search, result, ask);
   return result;
 }

@@ -71,6 +71,21 @@ TEST_F(Check, Only_the_rays_of_a_sampled_reference_give_an_interval) {
   EXPECT_NEAR(checks[1]["excess_in_intervals"], 3.0, 1e-9);  // (0.1 − 0.07) / 0.01
 }
 
+// Alone, the second run fails as not measured.
+TEST_F(Check, Of_several_runs_those_without_a_bounded_statistic_are_named) {
+  Json without = Json::parse(summary(0.01));
+  without["shadows"][0]["statistics"].erase("acne");
+  const std::string good = run("good", summary(0.01)), other = run("other", without.dump());
+  const std::string bounds = budget(acne_budget);
+  const ProgramResult both = run_program({"check", good, other, "--budget", bounds});
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_NE(both.err.find("other (court, sun) does not have acne: what bounds it was not checked in it"),
+            std::string::npos)
+      << both.err;
+  EXPECT_EQ(both.err.find("good ("), std::string::npos) << both.err;
+  EXPECT_EQ(run_program({"check", other, "--budget", bounds}).exit_code, 1);
+}
+
 TEST_F(Check, Writes_junit_and_appends_to_the_step_summary) {
   const std::string bad = run("bad", summary(0.02));
   const std::string junit = folder_ / "junit.xml";

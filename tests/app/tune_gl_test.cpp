@@ -1,4 +1,6 @@
 // `tune` as a program: its best point against a grid, its files, and what it does with wrong input and interrupts.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -121,6 +123,49 @@ TEST_F(Tune, Its_range_and_its_front_say_what_the_constraints_cut) {
                             " %, but breaks a constraint that the best point keeps; "});
   expect_words(text_of(folder_ / "kept/index.html"),
                {"mean absolute error, the mean of 6 cases", "acne, the mean of 6 cases"});
+}
+
+// Nearest and bilinear filters do not read the size.
+TEST_F(Tune, An_axis_that_a_word_does_not_read_is_not_to_be_extended_for_it) {
+  const ProgramResult result = run_program({"tune",
+                                            "contact-box",
+                                            "-o",
+                                            folder_ / "words",
+                                            "--size",
+                                            "96x54",
+                                            "--no-figures",
+                                            "--light",
+                                            "sun",
+                                            "--truth.shadow",
+                                            "pixel",
+                                            "--truth.spp",
+                                            "16",
+                                            "--vary",
+                                            "shadow.filter=nearest,box",
+                                            "--vary",
+                                            "shadow.filter-size=3,5",
+                                            "--vary",
+                                            "shadow.constant-bias=0:8texels",
+                                            "--evaluations",
+                                            "24"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out.find("shadow.filter-size: with nearest"), std::string::npos) << result.out;
+}
+
+// What is printed is what tuned.toml has, and what its error is of.
+TEST_F(Tune, A_recommended_bias_has_three_digits) {
+  const ProgramResult result =
+      run_program({"tune", "courtyard", "-o", folder_ / "digits", "--size", "160x90", "--no-figures", "--light", "spot",
+                   "--vary", "shadow.constant-bias=0:8texels"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json recommended = Json::parse(text_of(folder_ / "digits/summary.json")).at("tuning").at("recommended");
+  const double bias = recommended.at("values").at("shadow.constant-bias");
+  EXPECT_EQ(bias, std::stod(fmt::format("{:.3g}", bias)));
+  const ProgramResult again =
+      run_program({"compare", "-c", folder_ / "digits/tuned.toml", "-o", folder_ / "again", "--no-figures"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const Json of_run = Json::parse(text_of(folder_ / "again/summary.json")).at("shadows").at(0).at("statistics");
+  EXPECT_NEAR(of_run.at("mae").get<double>(), recommended.at("cost").get<double>(), 1e-12);
 }
 
 TEST_F(Tune, A_held_out_camera_says_of_both_points_which_constraint_they_break) {

@@ -90,6 +90,15 @@ TEST(LdrFlip, Clamps_to_what_a_display_shows_and_counts_only_the_mask) {
   EXPECT_TRUE(std::isnan(left.map[32]));
 }
 
+TEST(PooledMap, Of_values_below_0_has_no_quartiles_of_their_sum) {
+  Image<float> map(4, 1);
+  map.pixels = {-1.0f, 0.0f, 0.0f, 1.0f};
+  const PooledMap pooled = pool(map);
+  EXPECT_EQ(pooled.median, 0.0);
+  for (const double value : {pooled.weighted_quartile_1, pooled.weighted_median, pooled.weighted_quartile_3})
+    EXPECT_TRUE(std::isnan(value));
+}
+
 TEST(PooledMap, Weights_each_value_by_itself) {
   Image<float> map(5, 1);
   map.pixels = {4.0f, 1.0f, 2.0f, std::nanf(""), 3.0f};  // sum 10; running 1, 3, 6, 10

@@ -31,6 +31,16 @@ TEST(Ssim, Of_equal_images_is_1) {
   }
 }
 
+// Nearly equal images of 0 and 1: rounded means of squares would make it 1.0001.
+TEST(Ssim, Is_at_most_1) {
+  Image<float> test(64, 64);
+  for (std::size_t i = 0; i < test.size(); ++i) test[i] = i * 7919 % 13 < 3 ? 1.0f : 0.999f;
+  Image<float> reference = test;
+  for (std::size_t i = 0; i < test.size(); i += 5) reference[i] -= 1e-4f;
+  const Image<float> map = measure(ssim_metric, test, reference).map;
+  for (const float value : map.pixels) EXPECT_FALSE(value > 1.0f) << value;
+}
+
 TEST(Ssim, Of_constant_images_is_the_luminance_term) {
   const Image<float> test(200, 180, 0.25f);
   const Image<float> reference(200, 180, 0.75f);

@@ -22,6 +22,25 @@ struct FourPixels {
   }
 };
 
+// Sums of rounded shares would differ in the last digit, and with it decide which of two biases has the least error.
+TEST(Visibility, As_many_wrong_taps_are_the_same_error_whatever_their_causes) {
+  const TruthCounts truth{26631, 19000, 0.5};
+  const auto error_of = [&](std::array<std::uint64_t, cause_count> wrong) {
+    VisibilitySums sums;
+    sums.weight_sum = 1;
+    sums.wrong = wrong;
+    return to_statistics(sums, truth).mae;
+  };
+  const double error = error_of({599, 0, 0, 0});
+  EXPECT_EQ(error, 599.0 / 26631.0);
+  for (std::uint64_t acne = 0; acne < 599; ++acne) {
+    for (const std::uint64_t leak : {std::uint64_t{0}, std::uint64_t{7}, (599 - acne) / 2}) {
+      if (acne + leak > 599) continue;
+      EXPECT_EQ(error_of({acne, 0, 599 - acne - leak, leak}), error) << acne << " " << leak;
+    }
+  }
+}
+
 TEST(Visibility, Shares_are_of_the_counted_pixels_only) {
   const FourPixels four;
   const VisibilityStatistics s = analyze_visibility(four.wrong, four.truth, four.counted);

@@ -177,5 +177,26 @@ TEST(TuneRounds, Of_a_relative_cost_wait_for_nothing_but_fail_where_the_default_
   EXPECT_THROW(tune_in_rounds(tuning, 4), Error);
 }
 
+TEST(TuneSearch, Few_evaluations_reach_every_word) {
+  Tuning tuning = tuning_of(
+      {{"shadow.filter", "nearest,bilinear,box"}, {"shadow.constant-bias", "0:8texels"}, {"shadow.slope-bias", "0:4"}},
+      {std::string("nearest"), 1.5, 0.0}, [](const std::vector<Value>& values) {
+        const double word = std::get<std::string>(values[0]) == "box" ? 0.0 : 1.0;
+        return word + std::pow(to_number(values[1]) - 2.0, 2.0) + to_number(values[2]);
+      });
+  for (const std::size_t evaluations : {3, 5, 12, 40}) {
+    tuning.evaluations = evaluations;
+    std::size_t measured = 0;
+    const TuneResult result = tune_alone(tuning, measured);
+    std::set<std::string> words;
+    for (const TunePoint& point : result.points) words.insert(std::get<std::string>(point.values[0]));
+    EXPECT_EQ(words.size(), 3u) << evaluations;
+    EXPECT_LE(result.points.size(), evaluations);
+  }
+  tuning.evaluations = 2;
+  std::size_t measured = 0;
+  EXPECT_THROW(tune_alone(tuning, measured), Error);
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -42,5 +42,17 @@ TEST(BiasAdvice, A_bias_to_keep_is_the_only_recommended_row) {
   EXPECT_EQ(rows_of(changed)[1], "recommended");
 }
 
+TEST(BiasAdvice, Acne_that_the_run_does_not_have_is_no_reason_for_a_bias) {
+  BiasAdvice changed = advice(0.05);
+  changed.plateau.recommended.acne = 0.000971;
+  changed.plateau.recommended.constant = 1.9;
+  EXPECT_EQ(advice_text(changed).find("for acne"), std::string::npos) << advice_text(changed);
+  EXPECT_EQ(advice_text(changed).find("use bias 1.9 texels (3.8 cm): acne 0 % → 0.0971 %, error 5.00 % → 2.00 %"), 0u)
+      << advice_text(changed);
+  changed.used.acne = 0.02;
+  EXPECT_EQ(advice_text(changed).find("use bias 1.9 texels (3.8 cm) for acne of at most 0.1 %: acne 2.00 % → "), 0u)
+      << advice_text(changed);
+}
+
 }  // namespace
 }  // namespace umbrameter
