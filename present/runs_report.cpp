@@ -232,7 +232,10 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
       std::string line =
           fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, compared_text(value),
                       value.interval == IntervalOf::pixels ? " (95 % interval, over pixels and rays)" : "");
-      if (value.verdict == Verdict::equal) {
+      if (value.verdict == Verdict::base && value.counted_blocks > 0) {
+        line += fmt::format(" (no interval: counted pixels in {} block{} of the image, {} are needed)",
+                            value.counted_blocks, value.counted_blocks == 1 ? "" : "s", fewest_blocks);
+      } else if (value.verdict == Verdict::equal) {
         line += fmt::format("; equal to that of {}", runs.front().name);
       } else if (value.verdict != Verdict::base) {
         line += fmt::format("; difference to {} {} percentage points ({})", runs.front().name,

@@ -258,6 +258,11 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
                     judged(absolute, held.recommended ? "the recommended point" : "the best point",
                            held.recommended ? held.recommended_difference : held.difference,
                            checked.score.cost - held.before.score.cost)));
+    if (!checked.score.is_kept() && held.best.score.is_kept()) {
+      answers.back() += fmt::format("; the best point keeps {} there, at {}",
+                                    goal.constraints.size() == 1 ? "the constraint" : "the constraints",
+                                    held_text(absolute, held.best, held.cases));
+    }
   } else {
     answers.emplace_back("held out: nothing; the scenes have no other camera; name a scene with --held-out");
   }

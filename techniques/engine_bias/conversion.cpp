@@ -39,6 +39,14 @@ std::string why_unknown(const BiasSpec& spec, const BiasNumber& number, const Ma
     return fmt::format("the {} of this image is {:.3g} m away, nearer than {} = {:g} m", place.name, place.depth,
                        spec.engine->settings[i].name, spec.settings.values[i]);
   }
+  for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
+    const BiasSetting& setting = spec.engine->settings[i];
+    if (!setting.is_light_range || place.light == LightKind::directional || place.depth <= spec.settings.values[i])
+      continue;
+    return fmt::format(
+        "the {} of this image is {:.3g} m away, beyond {} = {:g} m; give the range of your light, {}:{}=", place.name,
+        place.depth, setting.name, spec.settings.values[i], spec.engine->name, setting.name);
+  }
   return "the " + place.name + " lies outside its depth range, or its settings leave the number without effect";
 }
 

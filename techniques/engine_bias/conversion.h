@@ -38,7 +38,7 @@ bool has_terms(const BiasSpec& source, const MapPlace& place);
 BiasTerms terms_of(const BiasSpec& source, const MapPlace& place);
 
 /// How the reason starts where an engine has a number, but it is not known here what it means.
-inline constexpr std::string_view no_formula = "no formula is known here";
+inline constexpr std::string_view no_formula = "there is no conversion here";
 
 /// A number of the target, or why there is none.
 struct ConvertedNumber {

@@ -235,6 +235,7 @@ BiasEngine playcanvas() {
 
 // A texel of half a spot light's map at its range, at every depth. Cube faces are widened by a table of resolutions.
 Result urp_texel(const Place& place, const Settings& settings) {
+  if (!is_sun(place) && place.depth > settings["lightRange"]) return 0.0;  // the light does not reach it
   const double share = is_sun(place) ? 1.0 : settings["lightRange"] / (2.0 * place.depth);
   return unless_point(place, settings["soft"] * share * place.texel);
 }
@@ -275,6 +276,7 @@ std::vector<BiasEngine> unity() {
            "in addition every caster is drawn with polygon offset factor 2.5, units 1. The light's numbers are read "
            "only if its bias is set to Custom, else those of the pipeline asset",
        .unverified = "(1 − cos θ) of ApplyShadowBias is from copies of Shadows.hlsl, not from Unity's own source",
+       .note_of_lamps = "point lights are not converted; the preset unity-urp-point has the formula of one map",
        .polygon_factor = 2.5,
        .polygon_units = 1.0},
       {.name = "unity-hdrp",

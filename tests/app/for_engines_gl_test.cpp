@@ -166,8 +166,8 @@ TEST_F(ForEngines, A_note_that_holds_for_several_lights_is_said_once) {
   };
   EXPECT_EQ(count(result.out, " in Unreal Engine, "), 3) << "one line for each light: " << result.out;
   EXPECT_EQ(count(result.out, "note: unreal, not verified: "), 1) << result.out;
-  EXPECT_EQ(count(result.out, "no formula is known here for a point light"), 1) << result.out;
-  EXPECT_EQ(count(result.out, "no formula is known here for a spot light"), 1) << result.out;
+  EXPECT_EQ(count(result.out, "there is no conversion here for a point light"), 1) << result.out;
+  EXPECT_EQ(count(result.out, "there is no conversion here for a spot light"), 1) << result.out;
   EXPECT_EQ(count(text_of(folder_ / "out/index.html"), "<p class=\"remark\">unreal, not verified: "), 1);
 }
 
@@ -241,6 +241,20 @@ TEST_F(ForEngines, A_tuning_of_other_axes_names_the_bias_that_it_converts) {
                    "shadow.resolution=512,1024", "--for", "texels", "-o", folder_ / "out"});
   ASSERT_EQ(tune.exit_code, 0) << tune.err;
   expect_words(tune.out, {", the bias that compare recommends at this point, "});
+}
+
+// Of a light without a range Unity's default is assumed, which may end before what it lights here.
+TEST_F(ForEngines, A_light_that_ends_before_its_receivers_has_no_number) {
+  const auto urp = [&](const char* target) {
+    return run_program({"compare", "two-occluders", "--light", "spot", "--measure", "visibility", "--no-figures",
+                        "--size", "160x90", "-o", folder_ / "out", "--force", "--for", target})
+        .out;
+  };
+  const std::string near = urp("unity-urp:lightRange=2");
+  expect_words(near, {"has no number for this bias: the nearest receiver of this image is ",
+                      " m away, beyond lightRange = 2 m; give the range of your light, unity-urp:lightRange="});
+  EXPECT_EQ(near.find("light.shadowBias"), std::string::npos) << near;
+  expect_words(urp("unity-urp:lightRange=500"), {"light.shadowBias = "});
 }
 
 // An engine has one number for a light, whichever camera looks.
