@@ -60,7 +60,7 @@ inline constexpr CommandDescription diff_command = {
     "diff", "Measure the difference of two images: FLIP, SSIM, PSNR, ...",
     "Example: umbrameter diff test.exr reference.exr -o error.png --json"};
 inline constexpr CommandDescription check_command = {
-    "check", "Check finished runs against a budget; exit code 1 if a bound is broken",
+    "check", "Check finished runs against a budget; exit code 1 if a bound is broken or not measured",
     "Example: umbrameter check out --budget budget.toml --junit report.xml\n"
     "'umbrameter check out --budget budget.toml --update' writes the budget."};
 inline constexpr CommandDescription report_command = {

@@ -177,8 +177,9 @@ std::string explanation(const BiasCurves& curves) {
       "peter-panning' compare each choice with 'least error'.";
   if (curves.formulas.empty()) {
     text +=
-        " A formula of the bias needs an axis of the constant bias, and one of the resolution, the light, the camera "
-        "or the filter.";
+        " A sweep of the constant bias over a second axis, of the resolution, the light, the camera or the filter, "
+        "also "
+        "fits a formula that gives the bias from these; this one has none.";
   }
   if (curves.curves.size() < curves.combinations) {
     text += fmt::format(" The table lists {} of {} combinations of the other axes.", curves.curves.size(),

@@ -73,6 +73,7 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
 std::string own_drawing_text(const EngineAdvice& advice) {
   const BiasEngine& engine = *advice.target.spec.engine;
   std::vector<std::string> parts;
+  if (advice.is_in_metres) parts.emplace_back("has one length for all distances");
   if (advice.own_faces) {
     parts.push_back(fmt::format("casts {}", *advice.own_faces == CasterFaces::all    ? "front and back faces"
                                             : *advice.own_faces == CasterFaces::back ? "back faces"

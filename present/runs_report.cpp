@@ -149,7 +149,7 @@ Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const C
   return table;
 }
 
-// Whether runs with another filter than the first were measured against the same hard shadow: only there is acne.
+// Whether runs with another filter than the first were measured against the same hard shadow.
 bool compares_filters(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared) {
   const auto has_filter_of_first = [&](const ComparedValue& value) {
     return std::ranges::all_of(runs.front().parameters, [&](const std::pair<std::string, std::string>& parameter) {
@@ -157,8 +157,14 @@ bool compares_filters(const std::vector<StoredRun>& runs, const std::vector<Comp
       return !is_filter || std::ranges::find(runs[value.run].parameters, parameter) != runs[value.run].parameters.end();
     });
   };
+  // Of PCF, or of a technique without taps.
+  const auto is_against_hard = [&](const ComparedStatistic& of) {
+    return std::ranges::any_of(compared, [&](const ComparedStatistic& each) {
+      return are_of_one_part(each, of) && (each.name == "acne" || each.name == "too_dark_away");
+    });
+  };
   return std::ranges::any_of(compared, [&](const ComparedStatistic& each) {
-    return each.name == "acne" && each.values.front().run == 0 &&
+    return each.name == error_statistic && each.values.front().run == 0 && is_against_hard(each) &&
            !std::ranges::all_of(each.values, has_filter_of_first);
   });
 }

@@ -96,7 +96,9 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
   const std::string inset =
       "how far the outline of the shadow lies inside that of the reference; negative: outside; median";
   Table table{{{"caster", "", "object that casts the shadow; most pixels first"},
-               {"contacts", "px", "pixels where the reference shadow touches the foot of the caster"},
+               {"contacts", "px",
+                "pixels where, in the image, the reference shadow begins beside the caster: a gap below about a pixel "
+                "counts, too"},
                {"median contact gap", "m", gap + "median"},
                {"median contact gap", "texels", gap + "median"},
                {"median contact gap", "px", gap + "median"},

@@ -78,6 +78,23 @@ class EnginesOfLight {
     return "it has no normal offset";
   }
 
+  // Whether one number for the constant bias is the same length at each place. A unit is converted as it is.
+  bool is_one_length(const BiasSpec& target) const {
+    if (target.engine->is_unit) return false;
+    const std::vector<MapPlace> own = places_for(target, places_);
+    BiasSpec one = target;
+    for (std::size_t n = 0; n < one.numbers.size(); ++n) {
+      one.numbers[n] = one.engine->numbers[n].term == BiasTerm::constant ? 1.0 : 0.0;
+    }
+    const auto metres_at = [&](const MapPlace& place) {
+      return has_terms(one, place) ? umbrameter::terms_of(one, place).constant : 0.0;
+    };
+    const double first = metres_at(own.front());
+    return first != 0.0 && std::ranges::all_of(own, [&](const MapPlace& place) {
+             return std::abs(metres_at(place) - first) <= 1e-9 * std::abs(first);
+           });
+  }
+
   // As the engine draws, without what it has no number for, and with the constant bias that is best then.
   Experiment drawn_by(const BiasSpec& target, EngineAdvice& result) {
     Experiment drawn = experiment_;
@@ -93,14 +110,20 @@ class EnginesOfLight {
       depth.caster_offset = {};
     }
     if (!target.engine->is_unit) result.left_out_slope = std::exchange(drawn.shadow.bias.slope, 0.0);
-    const bool is_as_run =
-        !result.own_faces && !result.has_own_offset && result.lost_offset.empty() && result.left_out_slope == 0.0;
+    Length& constant = drawn.shadow.bias.constant;
+    result.is_in_metres = constant.unit != LengthUnit::metres && !has_equal_texels(layout_) && is_one_length(target);
+    if (result.is_in_metres) constant = Length{places_.front().texel};
+    const bool is_as_run = !result.is_in_metres && !result.own_faces && !result.has_own_offset &&
+                           result.lost_offset.empty() && result.left_out_slope == 0.0;
     if (is_as_run) return drawn;
     drawn.run.for_engines.clear();
     const BiasAdvice advice = advise_bias(stages_, drawn, light_);
-    if (advice.withheld) return drawn;
+    if (advice.withheld) {
+      if (result.is_in_metres) constant = experiment_.shadow.bias.constant;
+      return drawn;
+    }
     // Not the run's own bias, however good: that was found under other conditions.
-    drawn.shadow.bias.constant.number = advice.plateau.recommended.constant;
+    constant.number = advice.plateau.recommended.constant;
     result.own_bias = drawn.shadow.bias.constant;
     return drawn;
   }

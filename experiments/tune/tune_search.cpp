@@ -90,7 +90,7 @@ class Search {
       for_each_combination(all, first_values(), [&](const std::vector<Value>& values) { evaluate(values); });
     } else if (numbers_.empty() || combinations_of_words() > limit_) {
       throw Error(ExitCode::usage, "--evaluations",
-                  fmt::format("{} is fewer than the {} combinations of the axes", limit_, combinations_of_words()),
+                  fmt::format("{} is fewer than the {} combinations of words", limit_, combinations_of_words()),
                   "give at least as many, or fewer values");
     } else {
       search_numbers();

@@ -243,6 +243,14 @@ TEST_F(ForEngines, A_tuning_of_other_axes_names_the_bias_that_it_converts) {
   expect_words(tune.out, {", the bias that compare recommends at this point, "});
 }
 
+// Godot's bias of a point light is in metres: the best in texels, converted for the farthest receiver, is too large.
+TEST_F(ForEngines, A_number_in_metres_is_searched_in_metres) {
+  const Json godot = compare({"--for", "godot"}, "courtyard", "lantern").at("recommended_bias").at("engines").at(0);
+  const Json in_metres = compare({"--shadow.constant-bias", "0.1"}, "courtyard", "lantern").at("recommended_bias");
+  EXPECT_NEAR(godot.at("numbers").at(0).at("values").at(0).get<double>(),
+              in_metres.at("recommended").at("constant_bias").at("m").get<double>(), 1e-9);
+}
+
 // Of a light without a range Unity's default is assumed, which may end before what it lights here.
 TEST_F(ForEngines, A_light_that_ends_before_its_receivers_has_no_number) {
   const auto urp = [&](const char* target) {
