@@ -177,9 +177,8 @@ std::string explanation(const BiasCurves& curves) {
       "peter-panning' compare each choice with 'least error'.";
   if (curves.formulas.empty()) {
     text +=
-        " A sweep of the constant bias over a second axis, of the resolution, the light, the camera or the filter, "
-        "also "
-        "fits a formula that gives the bias from these; this one has none.";
+        " A sweep of the constant bias over a second axis (resolution, light, camera or filter) also fits a formula "
+        "that gives the bias from it; this one has none.";
   }
   if (curves.curves.size() < curves.combinations) {
     text += fmt::format(" The table lists {} of {} combinations of the other axes.", curves.curves.size(),

@@ -69,7 +69,7 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
   return lines;
 }
 
-// "casts back faces and adds polygon offset factor 2.5, units 1": what the run does not, and what of the run it lacks.
+// How the engine differs from the run: "casts back faces and adds polygon offset factor 2.5, units 1".
 std::string own_drawing_text(const EngineAdvice& advice) {
   const BiasEngine& engine = *advice.target.spec.engine;
   std::vector<std::string> parts;

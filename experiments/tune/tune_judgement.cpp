@@ -83,8 +83,10 @@ TuneJudgement judge(const JudgeInput& in, const std::function<void(double)>& pro
          shown_at(result.before, as_given()),
          cost_difference(in.goal, result.before.cases, of_before, result.best.cases, of_best)});
   }
-  for (const auto& [axis, point, unread] : result.of_words) {
-    ComparedPoint compared{axis, point, shown_at(point, at(in, point.values)), {}, point.values == result.best.values};
+  for (const WordPoint& word : result.of_words) {
+    const TunePoint& point = word.point;
+    ComparedPoint compared{
+        word.axis, point, shown_at(point, at(in, point.values)), {}, point.values == result.best.values};
     if (!compared.is_best) {
       compared.difference = cost_difference(
           in.goal, point.cases, leave_out_blocks(in.cases, in.goal, at(in, point.values)), result.best.cases, of_best);

@@ -197,40 +197,39 @@ BiasEngine babylon() {
 }
 
 BiasEngine playcanvas() {
-  return {
-      .name = "playcanvas",
-      .title = "PlayCanvas 2.23.3",
-      .source =
-          "npm playcanvas 2.23.3: scene/light.js, framework/components/light/component.js, "
-          "lightFunctionShadow.js",
-      .numbers = {{"shadowBias",
-                   "1",
-                   0.05,
-                   BiasTerm::slope,
-                   [](const Place& p, const Settings&) { return unless_point(p, 10.0); },
-                   "10 texels × slope; of a point light none",
-                   "light.shadowBias = {};",
-                   {},
-                   0.0,
-                   1.0},
-                  {"normalOffsetBias",
-                   "m",
-                   0.0,
-                   BiasTerm::normal,
-                   [](const Place& p, const Settings&) { return unless_point(p, 1.0); },
-                   "1 m",
-                   "light.normalOffsetBias = {};",
-                   {OffsetProfile::constant},
-                   0.0,
-                   1.0}},
-      .note =
-          "in addition the receiver always moves by 0.0001 R under a sun, and shadowBias v also adds 10 v of the "
-          "smallest "
-          "depth steps; not with a PCSS map. With a VSM map normalOffsetBias is multiplied by (1 − cos θ), and by the "
-          "distance of a spot light",
-      .units_per_factor = 1.0,
-      .faces = CasterFaces::front,
-      .constant_of_range = 0.0001};
+  return {.name = "playcanvas",
+          .title = "PlayCanvas 2.23.3",
+          .source =
+              "npm playcanvas 2.23.3: scene/light.js, framework/components/light/component.js, "
+              "lightFunctionShadow.js",
+          .numbers = {{"shadowBias",
+                       "1",
+                       0.05,
+                       BiasTerm::slope,
+                       [](const Place& p, const Settings&) { return unless_point(p, 10.0); },
+                       "10 texels × slope; of a point light none",
+                       "light.shadowBias = {};",
+                       {},
+                       0.0,
+                       1.0},
+                      {"normalOffsetBias",
+                       "m",
+                       0.0,
+                       BiasTerm::normal,
+                       [](const Place& p, const Settings&) { return unless_point(p, 1.0); },
+                       "1 m",
+                       "light.normalOffsetBias = {};",
+                       {OffsetProfile::constant},
+                       0.0,
+                       1.0}},
+          .note =
+              "in addition the receiver always moves by 0.0001 R under a sun, and shadowBias v also adds 10 v of the "
+              "smallest depth steps; not with a PCSS map. With a VSM map normalOffsetBias is multiplied by (1 − cos "
+              "θ), and "
+              "by the distance of a spot light",
+          .units_per_factor = 1.0,
+          .faces = CasterFaces::front,
+          .constant_of_range = 0.0001};
 }
 
 // A texel of half a spot light's map at its range, at every depth. Cube faces are widened by a table of resolutions.
