@@ -116,16 +116,17 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
       continue;
     }
     CaseEngines& of_case = all.emplace_back(CaseEngines{each.title});
+    std::optional<double> recommended;
     if (std::ranges::find(job.axes, constant_bias_key, &TuneAxis::key) == job.axes.end()) {
       Experiment at_point = tuned;
       at_point.run.for_engines.clear();
       const BiasAdvice advice = advise_bias(stages, at_point, each.light);
       if (!advice.withheld) {
-        tuned.shadow.bias.constant.number = named_bias(advice).constant;
+        recommended = named_bias(advice).constant;
         of_case.bias = "the bias that compare recommends at this point, " + named_bias_text(advice);
       }
     }
-    converted.push_back({stages, std::move(tuned), each.light});
+    converted.push_back({stages, std::move(tuned), recommended, each.light});
   }
   std::vector<std::vector<EngineAdvice>> advice = advise_engines(converted);
   for (std::size_t c = 0; c < all.size(); ++c) all[c].engines = std::move(advice[c]);

@@ -93,9 +93,22 @@ std::string own_drawing_text(const EngineAdvice& advice) {
   return joined(parts, " and ");
 }
 
+// How to find the numbers of an engine that has none for the constant bias; empty if it has one or no slope either.
+std::string search_text(const EngineAdvice& advice) {
+  const BiasEngine& engine = *advice.target.spec.engine;
+  const auto slope = std::ranges::find(engine.numbers, BiasTerm::slope, &BiasNumber::term);
+  if (has_number(engine, BiasTerm::constant) || slope == engine.numbers.end()) return {};
+  return fmt::format(
+      "{0}: its {1} is a polygon offset factor, which 'umbrameter tune SCENE --light LIGHT --preset NAME "
+      "--shadow.constant-bias 0 --vary shadow.polygon-offset-factor=0:10 --for {0}' finds",
+      engine.name, slope->name);
+}
+
 // What no_number_text() does not say.
 std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
   std::vector<std::string> notes = notes_of(advice.target);
+  const std::string search = search_text(advice);
+  if (!is_complete(advice.target) && !search.empty()) notes.push_back(search);
   if (advice.is_shared) {
     notes.push_back(fmt::format("{}: one light has the same numbers in all cases, the largest that one of them needs",
                                 advice.target.spec.engine->name));
@@ -119,7 +132,9 @@ std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, 
   std::vector<std::string> lines;
   for (const EngineAdvice& each : engines) {
     const char* rounded = is_complete(each.target) ? ", rounded up" : "";
-    const bool names_bias = !bias.empty() && own_drawing_text(each).empty();
+    const bool has_that_bias =
+        has_number(*each.target.spec.engine, BiasTerm::constant) && own_drawing_text(each).empty();
+    const bool names_bias = !bias.empty() && has_that_bias;
     lines.push_back(fmt::format("  {}{} in {}{}: {}", what, names_bias ? fmt::format(", {},", bias) : "",
                                 title_of(each.target.spec), rounded, engine_error_text(each)));
     for (const std::string& code : shown_numbers(each, true)) lines.push_back("    " + code);

@@ -13,14 +13,22 @@
 namespace umbrameter {
 namespace {
 
+double constant_besides_numbers(const BiasEngine& engine, const MapPlace& place) {
+  return place.light == LightKind::directional ? engine.constant_of_range * place.range : 0.0;
+}
+
+// What `part` leaves of `whole`. Ours has the digits of a float.
+double without(double whole, double part) { return whole <= part * (1.0 + 1e-6) ? std::min(whole, 0.0) : whole - part; }
+
 class EnginesOfLight {
  public:
-  EnginesOfLight(Stages& stages, const Experiment& experiment, std::uint32_t light)
-      : stages_(stages),
-        experiment_(experiment),
-        light_(light),
-        layout_(with_depth_encoding(*stages.layout(experiment, light), experiment.shadow.map_depth)),
-        places_(places_of(stages.light(experiment, light), layout_, stages.surfels(experiment)->gbuffer)) {}
+  explicit EnginesOfLight(const EngineCase& each)
+      : stages_(each.stages),
+        experiment_(each.experiment),
+        recommended_(each.recommended),
+        light_(each.light),
+        layout_(with_depth_encoding(*stages_.layout(experiment_, light_), experiment_.shadow.map_depth)),
+        places_(places_of(stages_.light(experiment_, light_), layout_, stages_.surfels(experiment_)->gbuffer)) {}
 
   // The numbers; measure() completes them.
   EngineAdvice convert(const BiasSpec& given) {
@@ -54,11 +62,15 @@ class EnginesOfLight {
     depth.faces = faces_of(target);
   }
 
-  // What the engine's numbers have to do: its polygon offset is there without them, and a unit's other parts are ours.
+  // What the engine's numbers have to do: its own polygon offset and constant bias are there without them, and a unit's
+  // other parts are ours.
   std::vector<BiasTerms> terms_in(const Experiment& drawn, const BiasSpec& target) const {
     std::vector<BiasTerms> terms = terms_of(drawn, layout_, places_);
-    for (BiasTerms& each : terms) {
+    const std::vector<MapPlace> own = places_for(target, places_);
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      BiasTerms& each = terms[i];
       each.slope = std::max(0.0, each.slope - target.engine->polygon_factor);
+      each.constant = without(each.constant, constant_besides_numbers(*target.engine, own[i]));
       if (!target.engine->is_unit) continue;
       if (!has_number(*target.engine, BiasTerm::normal)) each.normal = 0.0;
       if (!has_number(*target.engine, BiasTerm::slope)) each.slope = 0.0;
@@ -98,12 +110,16 @@ class EnginesOfLight {
   // As the engine draws, without what it has no number for, and with the constant bias that is best then.
   Experiment drawn_by(const BiasSpec& target, EngineAdvice& result) {
     Experiment drawn = experiment_;
+    const bool has_constant = has_number(*target.engine, BiasTerm::constant);
+    if (recommended_ && has_constant) drawn.shadow.bias.constant.number = *recommended_;
     MapDepthParams& depth = drawn.shadow.map_depth;
     const MapDepthParams& own = experiment_.shadow.map_depth;
     draw_as(depth, target);
     result.own_faces = depth.faces != own.faces ? std::optional(depth.faces) : std::nullopt;
-    result.has_own_offset = depth.polygon_offset_factor != own.polygon_offset_factor ||
-                            depth.polygon_offset_units != own.polygon_offset_units;
+    // Units that come with a number are part of what that number does.
+    const bool has_own_units =
+        target.engine->units_per_factor == 0.0 && depth.polygon_offset_units != own.polygon_offset_units;
+    result.has_own_offset = depth.polygon_offset_factor != own.polygon_offset_factor || has_own_units;
     result.lost_offset = why_no_offset(drawn, target);
     if (!result.lost_offset.empty()) {
       drawn.shadow.bias.normal_offset = {};
@@ -111,15 +127,16 @@ class EnginesOfLight {
     }
     if (!target.engine->is_unit) result.left_out_slope = std::exchange(drawn.shadow.bias.slope, 0.0);
     Length& constant = drawn.shadow.bias.constant;
+    const Length given = constant;
     result.is_in_metres = constant.unit != LengthUnit::metres && !has_equal_texels(layout_) && is_one_length(target);
     if (result.is_in_metres) constant = Length{places_.front().texel};
     const bool is_as_run = !result.is_in_metres && !result.own_faces && !result.has_own_offset &&
                            result.lost_offset.empty() && result.left_out_slope == 0.0;
-    if (is_as_run) return drawn;
+    if (is_as_run || !has_constant) return drawn;
     drawn.run.for_engines.clear();
     const BiasAdvice advice = advise_bias(stages_, drawn, light_);
     if (advice.withheld) {
-      if (result.is_in_metres) constant = experiment_.shadow.bias.constant;
+      if (result.is_in_metres) constant = given;
       return drawn;
     }
     // Not the run's own bias, however good: that was found under other conditions.
@@ -148,7 +165,7 @@ class EnginesOfLight {
       spec.numbers = numbers[i];
       if (!has_terms(spec, own[i])) return {};
       BiasTerms of_numbers = umbrameter::terms_of(spec, own[i]);
-      if (own[i].light == LightKind::directional) of_numbers.constant += engine.constant_of_range * own[i].range;
+      of_numbers.constant += constant_besides_numbers(engine, own[i]);
       if (engine.is_unit && !has_number(engine, BiasTerm::normal)) {
         of_numbers.normal = terms[i].normal;
         of_numbers.offset = terms[i].offset;
@@ -174,6 +191,7 @@ class EnginesOfLight {
 
   Stages& stages_;
   const Experiment& experiment_;
+  std::optional<double> recommended_;
   std::uint32_t light_;
   MapLayout layout_;
   std::vector<MapPlace> places_;
@@ -189,14 +207,14 @@ std::string no_engines_text(const Stages& stages, const Experiment& experiment, 
 }
 
 std::vector<EngineAdvice> advise_engines(Stages& stages, const Experiment& experiment, std::uint32_t light) {
-  return advise_engines({{stages, experiment, light}}).front();
+  return advise_engines({{stages, experiment, {}, light}}).front();
 }
 
 std::vector<std::vector<EngineAdvice>> advise_engines(const std::vector<EngineCase>& cases) {
   std::vector<std::vector<EngineAdvice>> advice(cases.size());
   if (cases.empty() || cases.front().experiment.run.for_engines.empty()) return advice;
   std::vector<EnginesOfLight> engines;
-  for (const EngineCase& each : cases) engines.emplace_back(each.stages, each.experiment, each.light);
+  for (const EngineCase& each : cases) engines.emplace_back(each);
   for (const BiasSpec& target : parse_bias_targets(cases.front().experiment.run.for_engines)) {
     for (std::size_t c = 0; c < cases.size(); ++c) advice[c].push_back(engines[c].convert(target));
     for (std::size_t c = 0; c < cases.size(); ++c) {

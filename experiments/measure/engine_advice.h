@@ -1,6 +1,7 @@
 // A recommended bias in the numbers of other engines, measured again after rounding.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ std::vector<EngineAdvice> advise_engines(Stages& stages, const Experiment& exper
 struct EngineCase {
   Stages& stages;
   Experiment experiment;
+  /// Constant bias to convert in place of the experiment's, in its unit, for engines that have a number for one.
+  std::optional<double> recommended{};
   std::uint32_t light = 0;
 };
 

@@ -19,6 +19,7 @@ from .parameters import program_version
 
 bundled = pathlib.Path(__file__).resolve().parent / "program" / "umbrameter"  # in a wheel that carries the program
 erase_line = "\r\x1b[K"  # what the program writes before each state of its progress bar
+end_mark = b"\x00"  # what this package writes behind the last line of the program
 
 
 class Error(RuntimeError):
@@ -121,17 +122,20 @@ class Program:
             environment.update(TERM="xterm", NO_COLOR="1")
         else:
             self._ours, theirs = os.pipe()
+        self._theirs = theirs
         # Its own process group: Ctrl-C of a terminal would reach the program twice, and the second signal ends it at once.
         self.process = subprocess.Popen(self.command, stdin=stdin, stdout=subprocess.PIPE, stderr=theirs, env=environment,
                                         process_group=0)
-        os.close(theirs)
         self._follower = threading.Thread(target=_follow, args=(self._ours, self._lines, _show if progress else None),
                                           daemon=True)
         self._follower.start()
 
     def close(self) -> None:
         """Close its pipes, after it has ended."""
+        # A pseudo-terminal whose last writer is gone may end before its last line was read.
+        os.write(self._theirs, end_mark)
         self._follower.join()
+        os.close(self._theirs)
         os.close(self._ours)
         for pipe in (self.process.stdin, self.process.stdout):
             if pipe is not None:
@@ -162,8 +166,11 @@ def _follow(descriptor: int, lines: list[str], show: Callable[[str, str], None] 
     """Collect the lines of stderr, and show them and the bar between them. An error's line is left to the exception."""
     decode = codecs.getincrementaldecoder("utf-8")("replace").decode
     rest = ""
-    while chunk := _read(descriptor):
-        *complete, rest = (rest + decode(chunk)).split("\n")
+    has_ended = False
+    while not has_ended:
+        chunk = os.read(descriptor, 4096)
+        has_ended = chunk.endswith(end_mark)
+        *complete, rest = (rest + decode(chunk.removesuffix(end_mark))).split("\n")
         for line in (each.rpartition(erase_line)[2] for each in complete):
             lines.append(line)
             if show and not line.startswith("umbrameter: "):
@@ -172,13 +179,6 @@ def _follow(descriptor: int, lines: list[str], show: Callable[[str, str], None] 
             rest = erase_line + rest.rpartition(erase_line)[2]
             if show:
                 show(rest.removeprefix(erase_line), "")
-
-
-def _read(descriptor: int) -> bytes:
-    try:
-        return os.read(descriptor, 4096)
-    except OSError:  # how a pseudo-terminal ends
-        return b""
 
 
 def _show(text: str, end: str) -> None:

@@ -221,6 +221,26 @@ TEST_F(ForEngines, The_defaults_of_PlayCanvas_have_the_constant_that_it_always_a
   EXPECT_NEAR(playcanvas.at("mae_of_defaults").get<double>(), error_of(shadow), 1e-9);
 }
 
+// PlayCanvas has no number for a constant bias: what it always adds is none that it lacks.
+TEST_F(ForEngines, The_polygon_offset_of_PlayCanvas_is_tuned) {
+  const auto tune = [&](const std::vector<std::string>& more) {
+    const ProgramResult result =
+        run_program(words({"tune", "courtyard", "--light", "sun", "--size", "160x90", "--no-figures", "--evaluations",
+                           "12", "--vary", "shadow.polygon-offset-factor=0:10", "--for", "playcanvas", "--preset",
+                           "playcanvas-pcf1", "--json", "--force", "-o", folder_ / "out"},
+                          more));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(result.out).at("tuning");
+  };
+  const Json tuning = tune({});
+  const Json& engine = tuning.at("engines").at(0).at("engines").at(0);
+  const double factor = tuning.at("best").at("values").at("shadow.polygon-offset-factor");
+  EXPECT_NEAR(engine.at("numbers").at(0).at("values").at(0).get<double>(), factor / 10.0, 1e-6);
+  EXPECT_LT(engine.at("mae").get<double>(), engine.at("mae_of_defaults").get<double>());
+  const Json lost = tune({"--shadow.constant-bias", "0.01depth"});
+  EXPECT_TRUE(lost.at("engines").at(0).at("engines").at(0).at("mae").is_null());
+}
+
 TEST_F(ForEngines, Numbers_of_cascades_that_differ_by_their_rounding_are_measured) {
   const Json three =
       compare({"--preset", "bevy", "--for", "three"}, "two-occluders").at("recommended_bias").at("engines").at(0);
