@@ -219,6 +219,9 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
           " An interval marked * covers the noise of the reference only, because the images of the run do not give "
           "this statistic.";
     }
+    if (has_cell(part.values, [](const std::string& text) { return text == "—"; })) {
+      section.text += " A dash stands where a run has no such statistic; filtered shadow maps, for one, have no acne.";
+    }
     if (has_cell(part.differences, is_difference)) {
       section.text += fmt::format(" Differences are to the run '{}'.", runs.front().name);
       if (has_cell(part.differences, [](const std::string& text) { return text.starts_with('('); })) {

@@ -133,18 +133,17 @@ std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCa
   return all;
 }
 
-// What the cost does not show.
-void add_caveats(const TuneRun& run, const TuneSummary& summary) {
+void add_warnings(const TuneRun& run, TuneSummary& summary) {
   const TuneCase& first = run.cases.front();
   const std::vector<SweepAxis> axes = mapped(run.job.axes, [](const TuneAxis& each) { return each.axis; });
-  std::vector<std::string> caveats;
+  std::vector<std::string>& warnings = summary.warnings;
   if (first.quantity == SweptQuantity::visibility) {
     const bool is_hard = std::ranges::any_of(
         run.cases, [](const TuneCase& each) { return !each.stages->is_sampled(each.experiment, each.light); });
     const bool minimizes_edges = measures_edges(joined(run.job.goal.columns, ",", &Column::name));
     if (is_hard && varies_filter(axes) && !minimizes_edges)
-      caveats.push_back(filter_warning(filter_remedy("--minimize")));
-    if (needs_biases(axes)) caveats.emplace_back(one_bias_warning);
+      warnings.push_back(filter_warning(filter_remedy("--minimize")));
+    if (needs_biases(axes)) warnings.emplace_back(one_bias_warning);
   }
   // It is of the mean absolute error: another cost may rank no AO otherwise.
   if (first.quantity == SweptQuantity::ao && not_relative(run.job.goal).text == error_statistic) {
@@ -152,9 +151,14 @@ void add_caveats(const TuneRun& run, const TuneSummary& summary) {
       const Experiment used = at_point(each, summary.axes, point_to_use(summary.result).values);
       const SampledError error = measure_ao(*each.stages, used, {}).statistics->error;
       const std::string warning = no_ao_text(error.mae.value, error.mean_truth.value);
-      if (!warning.empty()) caveats.push_back(each.title + ", with the point to use: " + warning);
+      if (!warning.empty()) warnings.push_back(each.title + ", with the point to use: " + warning);
     }
   }
+}
+
+void note_limits_of_rays(const TuneRun& run) {
+  const TuneCase& first = run.cases.front();
+  const std::vector<SweepAxis> axes = mapped(run.job.axes, [](const TuneAxis& each) { return each.axis; });
   if (first.quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance")) {
     std::string limits;  // a share of a scene's size differs from scene to scene
     for (const std::vector<TuneCase>& cases : run.by_scene) {
@@ -162,9 +166,8 @@ void add_caveats(const TuneRun& run, const TuneSummary& summary) {
       limits += (limits.empty() ? "" : ", ") + limit +
                 (run.by_scene.size() > 1 ? " (" + scene_title(cases.front().experiment) + ")" : "");
     }
-    caveats.push_back("the reference is the same at every point: rays " + limits);
+    first.stages->add_notes({"the reference is the same at every point: rays " + limits});
   }
-  first.stages->add_notes(caveats);
 }
 
 std::vector<std::string> tune_files() {
@@ -206,7 +209,8 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   const TuneSummary& summary = results.tune->summary;
   results.tune->engines = engines_of(job, run.cases, summary);
   if (!line.no_figures) results.tune->points = measure_points(run.cases.front(), summary);
-  add_caveats(run, summary);
+  add_warnings(run, results.tune->summary);
+  note_limits_of_rays(run);
   results.notes = run.notes();
   for (const std::string& text : measured.notes) {
     if (std::ranges::find(results.notes, text) == results.notes.end()) {

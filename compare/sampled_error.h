@@ -15,7 +15,7 @@ namespace umbrameter {
 /// The meaning of a mean of absolute errors. Noise of the truth hides errors that are smaller, so that their mean is
 /// known only within a range: such a statistic has bounds, all others have 95 % intervals.
 inline std::string with_bounds(const std::string& meaning) {
-  return meaning + "; its bounds have at least 95 % confidence";
+  return meaning + "; bounds, where given, have at least 95 % confidence";
 }
 
 struct SampledError {

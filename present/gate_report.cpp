@@ -154,7 +154,9 @@ std::string gate_answer(const std::vector<GateCheck>& checks) {
   };
   if (checks.size() == 1) return broken == 1 ? "the bound is broken" : "no run measured what is bounded";
   if (unmeasured == 0) return count(broken) + " broken";
-  return fmt::format("{} broken, and {} measured by no run", broken == 0 ? "no bound is" : count(broken),
+  if (broken == 0)
+    return count(unmeasured) + " measured by no run" + (unmeasured < checks.size() ? "; the others are kept" : "");
+  return fmt::format("{} broken, and {} measured by no run", count(broken),
                      unmeasured == 1 ? "1 is" : fmt::format("{} are", unmeasured));
 }
 

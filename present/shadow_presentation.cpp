@@ -94,12 +94,12 @@ std::string no_advice_text(const ShadowMeasurement& shadow) {
   const std::string flags = shadow.experiment.truth.shadow == ShadowReference::pixel
                                 ? "--truth.shadow point"
                                 : flags_without_extent(shadow.emitter);
-  const std::string reason =
-      !technique.sums_comparisons && !technique.reads_light_extent
-          ? "only the acne of PCF, which sums depth comparisons, can be counted"
-      : !technique.taps_independent_of_bias
-          ? "the kernel of " + value_text(shadow.experiment, "shadow.technique") + " depends on the bias"
-          : "acne can be counted only in a hard shadow (" + flags + ")";
+  const std::string name = value_text(shadow.experiment, "shadow.technique");
+  const std::string reason = !technique.sums_comparisons && !technique.reads_light_extent
+                                 ? "acne cannot be counted for " + name + ", which sums no depth comparisons"
+                             : !technique.taps_independent_of_bias
+                                 ? "the kernel of " + name + " depends on the bias"
+                                 : "acne can be counted only in a hard shadow (" + flags + ")";
   return "no bias recommended: " + reason + "; umbrameter tune finds the bias of least error";
 }
 
@@ -122,8 +122,7 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
       {"too dark away from edges", percent(s.too_dark_away), "like acne"},
       {"too dark at edges", percent(s.too_dark_at_edge), "blur and occluders in the kernel"},
       {"too bright at edges", percent(s.too_bright_at_edge), "blur and lost contact"},
-      {"too bright away from edges", percent(s.too_bright_away),
-       "light bleeding, a large bias, or a wide blur or pixel"},
+      {"too bright away from edges", percent(s.too_bright_away), "light bleeding, a large bias, or a wide blur"},
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);

@@ -129,13 +129,13 @@ ReportTable caster_report(const SceneFacts& scene, const std::vector<CasterShape
   const auto farthest = std::ranges::max_element(casters, {}, [](const CasterShape& each) {
     return each.contacts > 0 ? each.gap_largest.metres : -std::numeric_limits<double>::infinity();
   });
-  if (farthest->contacts > 0) {
-    report.remarks.push_back(
-        fmt::format("The largest gap of all {}: {} ({} px), {}. A gap is any lit strip between foot and shadow, "
-                    "whatever its cause.",
-                    casters.size(), metres_text(farthest->gap_largest.metres),
-                    digits_text(farthest->gap_largest.pixels), scene.by_object.names[farthest->object]));
-  }
+  if (farthest->contacts == 0) return report;
+  const double gap = farthest->gap_largest.metres;
+  const std::string which =
+      gap > 0.0 ? fmt::format("The largest gap of all {}: {} ({} px), {}", casters.size(), metres_text(gap),
+                              digits_text(farthest->gap_largest.pixels), scene.by_object.names[farthest->object])
+                : fmt::format("None of all {} has a gap", casters.size());
+  report.remarks.push_back(which + ". A gap is any lit strip between foot and shadow, whatever its cause.");
   return report;
 }
 

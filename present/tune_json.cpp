@@ -149,7 +149,9 @@ Json to_json(const TuneSummary& summary) {
     }
     json["pareto_front"].push_back(std::move(object));
   }
-  json["warnings"] = end_warnings(summary);
+  std::vector<std::string> warnings = end_warnings(summary);
+  warnings.insert(warnings.end(), summary.warnings.begin(), summary.warnings.end());
+  json["warnings"] = warnings;
   return json;
 }
 

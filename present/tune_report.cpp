@@ -151,8 +151,9 @@ std::string bias_range_text(const TuneSummary& summary) {
                               percent(plateau.recommended.acne))
                 : "; each leaves acne of more than 0.1 %" + std::string(is_single ? "" : " in one case at least"));
   }
+  const bool is_free_of_acne = plateau.first.acne <= little_acne_share;
   return text + fmt::format("; of these, acne is at most 0.1 % in every case of the search from {}",
-                            value_text(*axis, plateau.recommended.constant));
+                            is_free_of_acne ? "the smallest on" : value_text(*axis, plateau.recommended.constant));
 }
 
 std::string method_text(const TuneSummary& summary) {
@@ -342,6 +343,7 @@ Presentation present_tuning(const TuneSummary& summary) {
   } else {
     add_answers(summary, answers);
   }
+  for (const std::string& warning : summary.warnings) answers.push_back("warning: " + warning);
 
   std::vector<TunePoint> candidates = result.points;
   candidates.insert(candidates.end(), result.curve.begin(), result.curve.end());

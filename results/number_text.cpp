@@ -20,6 +20,7 @@ bool is_symmetric(const Estimate& estimate) {
   constexpr double slack = 0.1;  // of the half width
   const double below = estimate.value - estimate.lower;
   const double above = estimate.upper - estimate.value;
+  if (estimate.lower == 0.0 && above > below) return false;  // ± would pass 0, where the interval was cut
   return std::abs(above - below) <= slack * 0.5 * (estimate.upper - estimate.lower);
 }
 

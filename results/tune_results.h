@@ -88,6 +88,7 @@ struct TuneSummary {
   TuneGoal shown;  ///< the goal, with the columns that are only shown
   TuneResult result;
   TuneJudgement judgement;
+  std::vector<std::string> warnings{};  ///< what the cost does not show
 };
 
 /// The point to use: the recommended one, or the best where no other is recommended.

@@ -292,7 +292,7 @@ TEST_F(Answers, Where_no_bias_is_recommended_the_reason_is_that_of_the_technique
     return run(words({"compare", "contact-box", "--light", "sun", "--measure", "shadows", "--no-figures", "--force"},
                      settings));
   };
-  const char* only_pcf = "no bias recommended: only the acne of PCF";
+  const char* only_pcf = "no bias recommended: acne cannot be counted for vsm";
   expect_words(of_box({"--shadow.technique", "vsm"}), {only_pcf});
   expect_words(of_box({"--light.angle", "2", "--shadow.technique", "vsm"}), {only_pcf});
   const char* of_kernel = "no bias recommended: the kernel of pcss depends on the bias";

@@ -184,7 +184,7 @@ TEST(TuneSearch, Few_evaluations_reach_every_word) {
         const double word = std::get<std::string>(values[0]) == "box" ? 0.0 : 1.0;
         return word + std::pow(to_number(values[1]) - 2.0, 2.0) + to_number(values[2]);
       });
-  for (const std::size_t evaluations : {3, 5, 12, 40}) {
+  for (const std::size_t evaluations : {3u, 5u, 12u, 40u}) {
     tuning.evaluations = evaluations;
     std::size_t measured = 0;
     const TuneResult result = tune_alone(tuning, measured);

@@ -36,6 +36,7 @@ TEST(NumberText, A_symmetric_interval_is_a_half_width_and_another_one_a_range) {
   EXPECT_EQ(estimate_text({0.1759, 0.121, 0.231}, "px"), "0.176 ± 0.055 px");
   EXPECT_EQ(estimate_text({-0.1385, -0.2749, -0.0021}, ""), "−0.139 ± 0.136") << "on which side of 0 it ends";
   EXPECT_EQ(estimate_text({0.14, 0.0, 0.28}, ""), "0.14 ± 0.14");
+  EXPECT_EQ(estimate_text({17.28, 0.0, 34.86}, ""), "0.0 to 34.9") << "its lower end was cut";
   EXPECT_EQ(estimate_text({0.05, -0.1, 0.06}, "px"), "−0.100 to 0.060 px");
   EXPECT_EQ(estimate_text({-1e-5, -0.039, 0.039}, ""), "0.000 ± 0.039") << "0 has no sign";
 }
