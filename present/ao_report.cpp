@@ -84,7 +84,7 @@ void add_without_ao(Presentation& presentation, double error, double mean_truth)
   } else {
     const double without = 1.0 - mean_truth;
     presentation.lines.push_back("  AO: without any AO its error would be " + percent(without));
-    presentation.section.text += "\n\nWithout any AO its error would be " + percent(without) + ".";
+    presentation.section.text += "\n\nWithout any AO the error of ambient occlusion would be " + percent(without) + ".";
   }
 }
 

@@ -100,7 +100,7 @@ std::string search_text(const EngineAdvice& advice) {
   if (has_number(engine, BiasTerm::constant) || slope == engine.numbers.end()) return {};
   return fmt::format(
       "{0}: its {1} is a polygon offset factor, which 'umbrameter tune SCENE --light LIGHT --preset NAME "
-      "--shadow.constant-bias 0 --vary shadow.polygon-offset-factor=0:10 --for {0}' finds",
+      "--vary shadow.polygon-offset-factor=0:10 --for {0} -o DIR' finds",
       engine.name, slope->name);
 }
 

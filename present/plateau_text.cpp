@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "present/plot_axes.h"
@@ -20,10 +21,20 @@ std::string few_text(std::uint64_t pixels, std::uint64_t counted, const char* wh
 
 }  // namespace
 
+std::pair<double, double> rounded_inwards(double first, double last) {
+  const auto step_of = [](double bias) {
+    return bias == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(std::abs(bias))) - 2.0);
+  };
+  constexpr double slack = 1e-6;  // a bias of three digits is one, whatever its last bits
+  const double up = step_of(first) * std::ceil(first / step_of(first) - slack);
+  const double down = step_of(last) * std::floor(last / step_of(last) + slack);
+  return up <= down ? std::pair{up, down} : std::pair{first, last};
+}
+
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
                        const char* only, const std::vector<double>& axis) {
-  const double first = plateau.first.constant;
-  const double last = plateau.last.constant;
+  const auto [first, last] = axis.empty() ? rounded_inwards(plateau.first.constant, plateau.last.constant)
+                                          : std::pair{plateau.first.constant, plateau.last.constant};
   const auto number = [&](double bias) {
     const int digits = axis.empty() ? 3 : digits_on_axis(axis, bias);
     return unit == LengthUnit::metres ? metres_text(bias, digits) : with_minus(fmt::format("{:.{}g}", bias, digits));

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compare/bias_plateau.h"
@@ -13,6 +14,9 @@
 namespace umbrameter {
 
 inline constexpr const char* only_of_axis = "only this bias of the axis";
+
+/// The ends of a range to three digits that lie within it, or as they are where it has no such digits.
+std::pair<double, double> rounded_inwards(double first, double last);
 
 /// "2.2 to 18 texels are within 5 % of the least error, 0.271 %". The biases are in `unit`; `what` is "error" or
 /// "cost", and `least` its least value as text, which may be empty. `only` begins the text of a single bias. Values of

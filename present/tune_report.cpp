@@ -151,9 +151,11 @@ std::string bias_range_text(const TuneSummary& summary) {
                               percent(plateau.recommended.acne))
                 : "; each leaves acne of more than 0.1 %" + std::string(is_single ? "" : " in one case at least"));
   }
-  const bool is_free_of_acne = plateau.first.acne <= little_acne_share;
-  return text + fmt::format("; of these, acne is at most 0.1 % in every case of the search from {}",
-                            is_free_of_acne ? "the smallest on" : value_text(*axis, plateau.recommended.constant));
+  const std::string where = is_single ? "" : " in every case of the search";
+  if (plateau.first.acne <= little_acne_share)
+    return text + "; the smallest of these has acne of at most 0.1 %" + where;
+  return text + fmt::format("; of these, acne is at most 0.1 %{} from {}", where,
+                            value_text(*axis, plateau.recommended.constant));
 }
 
 std::string method_text(const TuneSummary& summary) {

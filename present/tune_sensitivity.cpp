@@ -52,7 +52,10 @@ std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
             : axis.is_continuous ? "only "
                                  : "of the axis only ") +
            value_text(axis, range->first) + ends + outside;
-  return pair_text(axis, range->first, range->second, " to ") + ends + outside;
+  const bool is_exact = plateau && axis.key() == constant_bias_key && axis.is_continuous;
+  const auto [first, last] =
+      is_exact ? std::pair<Value, Value>(rounded_inwards(plateau->first.constant, plateau->last.constant)) : *range;
+  return pair_text(axis, first, last, " to ") + ends + outside;
 }
 
 // The largest cost along the axis, in multiples of the least.

@@ -82,8 +82,8 @@ void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
   const double share = formula.residual / rms_bias(of.points);
   if (formula.residual > formula.axis_step && share > poor_residual_share) {
     of.warnings.push_back(fmt::format(
-        "the RMS residual is {:.2g} % of the biases: they depend on more than these axes, and the formula may be "
-        "wrong by as much as the largest residual",
+        "the RMS residual is {:.2g} % of the biases: they depend on more than these axes, or a few pixels decide them; "
+        "the formula may be wrong by as much as the largest residual",
         100.0 * share));
   }
 }

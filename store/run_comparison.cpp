@@ -40,13 +40,16 @@ void compare_to(const ComparedValue& base, const std::vector<StoredRun>& runs, C
   value.difference = {difference, difference, difference};
   value.verdict = Verdict::no_interval;
   if (!std::isfinite(difference)) return;
-  // Means differ by rounding where the sums have another order.
-  if (std::abs(difference) <= 1e-12 * std::abs(base.measured.value)) {
+  const auto paired = paired_difference(runs[base.run], base.measured, runs[value.run], value.measured);
+  // Means differ by rounding where the sums have another order. Equal ones may come from images that differ.
+  const double rounding = 1e-12 * std::abs(base.measured.value);
+  const bool have_equal_blocks = !paired || paired->estimate.upper - paired->estimate.lower <= 2.0 * rounding;
+  if (std::abs(difference) <= rounding && have_equal_blocks) {
     value.difference = {};
     value.verdict = Verdict::equal;
     return;
   }
-  if (const auto paired = paired_difference(runs[base.run], base.measured, runs[value.run], value.measured)) {
+  if (paired) {
     value.difference = paired->estimate;
     value.blocks = paired->blocks;
   } else if (base.interval != IntervalOf::nothing && value.interval != IntervalOf::nothing) {

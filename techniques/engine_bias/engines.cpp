@@ -223,8 +223,9 @@ BiasEngine playcanvas() {
                        0.0,
                        1.0}},
           .note =
-              "in addition the receiver always moves by 0.0001 R under a sun, and shadowBias v also adds 10 v of the "
-              "smallest depth steps; not with a PCSS map. With a VSM map normalOffsetBias is multiplied by (1 − cos "
+              "whatever its numbers, under a sun the receiver moves by 0.0001 R, with R the depth range of the map. "
+              "shadowBias v also adds 10 v of the smallest depth steps; a PCSS map has no polygon offset. With a VSM "
+              "map normalOffsetBias is multiplied by (1 − cos "
               "θ), and "
               "by the distance of a spot light",
           .units_per_factor = 1.0,
@@ -291,7 +292,8 @@ std::vector<BiasEngine> unity() {
        .note =
            "in addition every caster is drawn with polygon offset units 1, and receivers are compared with a bias of "
            "1/65536 of the depth; with filtering quality High the 5 grows with the light's size, up to 18",
-       .polygon_units = 1.0},
+       .polygon_units = 1.0,
+       .constant_of_range = 1.0 / 65536.0},
   };
 }
 

@@ -27,9 +27,8 @@ struct MadeRun {
   std::string size = "64x64";
   double bias = 0.05;
   Image<float> error = Image<float>(side, side, 0.0f);
-  double mae_offset = 0.0;  // makes the reported value another than that of the images
-  double sampling_half_width = 0.0;
-  std::size_t counted_rows = side;  // from the top
+  double mae_offset = 0.0, sampling_half_width = 0.0;  // the former adds to the value that the images have
+  std::size_t counted_rows = side;                     // from the top
 
   double mae() const {
     double sum = 0.0;
@@ -79,7 +78,6 @@ class RunsReport : public testing::Test {
     throw std::runtime_error("no mae");
   }
   std::string output() const { return folder_ / "out"; }
-
   TemporaryFolder folder_;
 };
 
@@ -272,9 +270,11 @@ TEST_F(RunsReport, A_difference_that_is_not_shown_to_be_significant_is_in_parent
 }
 
 TEST_F(RunsReport, Equal_runs_are_equal) {
-  MadeRun a;
-  a.error = noise(6, 0.3f);
+  MadeRun a, b;
+  a.error = noise(6, 0.25f);
   EXPECT_EQ(mae_of(a, a).verdict, Verdict::equal);
+  std::ranges::reverse_copy(a.error.pixels, b.error.pixels.begin());
+  EXPECT_EQ(mae_of(a, b).verdict, Verdict::not_significant) << "other errors of the same mean";
 }
 
 TEST_F(RunsReport, Writes_page_rows_figures_and_tables_and_names_only_the_parameters_that_differ) {

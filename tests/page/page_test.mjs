@@ -237,6 +237,7 @@ test('keys go to the largest error and through connected regions', async () => {
   await page.getByText(`Largest error: ${value} on `).waitFor();
   await go(page, 'view=single&group=ambient occlusion&a=truth_ao_standard_error');
   await page.locator('.legend .name', {hasText: 'Standard error of the reference'}).waitFor();
+  await page.waitForFunction(() => document.querySelectorAll('.legend .end').length === 1);
   assert.match(await page.locator('.legend .end').innerText(), /^0\.0*[1-9]\d?$/, 'two digits of an uncertainty');
   await go(page, 'view=grid&group=ambient occlusion');
   await page.getByRole('button', {name: 'Region ▸'}).click();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "present/bias_advice_report.h"
+#include "present/plateau_text.h"
 
 namespace umbrameter {
 namespace {
@@ -52,6 +53,18 @@ TEST(BiasAdvice, Acne_that_the_run_does_not_have_is_no_reason_for_a_bias) {
   changed.used.acne = 0.02;
   EXPECT_EQ(advice_text(changed).find("use bias 1.9 texels (3.8 cm) for acne of at most 0.1 %: acne 2.00 % → "), 0u)
       << advice_text(changed);
+}
+
+TEST(BiasAdvice, Printed_ends_of_a_range_lie_within_it) {
+  EXPECT_DOUBLE_EQ(rounded_inwards(2.04366, 3.1957).first, 2.05);
+  EXPECT_DOUBLE_EQ(rounded_inwards(2.04366, 3.1957).second, 3.19);
+  EXPECT_DOUBLE_EQ(rounded_inwards(-0.12345, 1000.0).first, -0.123);
+  EXPECT_EQ(rounded_inwards(0.0, 8.0), std::pair(0.0, 8.0));
+  EXPECT_EQ(rounded_inwards(2.0437, 2.0439), std::pair(2.0437, 2.0439)) << "no three digits lie within";
+  BiasPlateau plateau = advice(0.02).plateau;
+  plateau.first.constant = 2.04366;
+  plateau.last.constant = 3.1957;
+  EXPECT_EQ(range_text(plateau, LengthUnit::texels, "error", "").substr(0, 19), "2.05 to 3.19 texels");
 }
 
 }  // namespace
