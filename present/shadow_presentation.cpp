@@ -179,8 +179,8 @@ std::string agreement_text(const ClassAgreement& agreement) {
                         grouped(agreement.reclassified), grouped(agreement.taps), percent(share_of_wrong(agreement)));
   if (agreement.on_own_layer > 0) {
     text += fmt::format(
-        " By ray tests {} of the peter-panning is light leak, because the map holds the receiver's own surface there; "
-        "it is counted as peter-panning all the same.",
+        " By ray tests the map holds no occluder in {} of the peter-panning, but the receiver's own surface, as in a "
+        "light leak; these taps stay peter-panning.",
         percent(share_on_own_layer(agreement)));
   }
   return text;

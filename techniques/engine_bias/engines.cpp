@@ -225,9 +225,7 @@ BiasEngine playcanvas() {
           .note =
               "whatever its numbers, under a sun the receiver moves by 0.0001 R, with R the depth range of the map. "
               "shadowBias v also adds 10 v of the smallest depth steps; a PCSS map has no polygon offset. With a VSM "
-              "map normalOffsetBias is multiplied by (1 − cos "
-              "θ), and "
-              "by the distance of a spot light",
+              "map normalOffsetBias is multiplied by (1 − cos θ), and by the distance of a spot light",
           .units_per_factor = 1.0,
           .faces = CasterFaces::front,
           .constant_of_range = 0.0001};
