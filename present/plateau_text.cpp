@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/digits.h"
 #include "present/plot_axes.h"
 #include "results/number_text.h"
 
@@ -22,12 +23,11 @@ std::string few_text(std::uint64_t pixels, std::uint64_t counted, const char* wh
 }  // namespace
 
 std::pair<double, double> rounded_inwards(double first, double last) {
-  const auto step_of = [](double bias) {
-    return bias == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(std::abs(bias))) - 2.0);
-  };
   constexpr double slack = 1e-6;  // a bias of three digits is one, whatever its last bits
-  const double up = step_of(first) * std::ceil(first / step_of(first) - slack);
-  const double down = step_of(last) * std::floor(last / step_of(last) + slack);
+  const double of_first = step_of_last_digit(first, 3);
+  const double of_last = step_of_last_digit(last, 3);
+  const double up = of_first * std::ceil(first / of_first - slack);
+  const double down = of_last * std::floor(last / of_last + slack);
   return up <= down ? std::pair{up, down} : std::pair{first, last};
 }
 

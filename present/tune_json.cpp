@@ -149,9 +149,7 @@ Json to_json(const TuneSummary& summary) {
     }
     json["pareto_front"].push_back(std::move(object));
   }
-  std::vector<std::string> warnings = end_warnings(summary);
-  warnings.insert(warnings.end(), summary.warnings.begin(), summary.warnings.end());
-  json["warnings"] = warnings;
+  json["warnings"] = warnings_of(summary);
   return json;
 }
 

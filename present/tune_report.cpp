@@ -271,7 +271,6 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   }
   if (result.plateau) answers.push_back(bias_range_text(summary));
   for (std::string& line : ranking_lines(summary)) answers.push_back(std::move(line));
-  for (const std::string& warning : end_warnings(summary)) answers.push_back("warning: " + warning);
   for (std::string& line : idle_axes(summary)) answers.push_back(std::move(line));
 }
 
@@ -309,7 +308,7 @@ std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<Tune
   return mapped(kept, [&](const std::size_t i) { return points[i]; });
 }
 
-std::vector<std::string> end_warnings(const TuneSummary& summary) {
+std::vector<std::string> warnings_of(const TuneSummary& summary) {
   std::vector<std::string> warnings;
   const auto add = [&](std::size_t a, const Value& value, const std::string& whose) {
     if (std::optional<std::string> end = end_of_axis_text(summary.axes[a], value)) {
@@ -332,6 +331,7 @@ std::vector<std::string> end_warnings(const TuneSummary& summary) {
           fmt::format("with {} the ", value_text(summary.axes[word.axis], word.point.values[word.axis])));
     }
   }
+  warnings.insert(warnings.end(), summary.warnings.begin(), summary.warnings.end());
   return warnings;
 }
 
@@ -345,7 +345,7 @@ Presentation present_tuning(const TuneSummary& summary) {
   } else {
     add_answers(summary, answers);
   }
-  for (const std::string& warning : summary.warnings) answers.push_back("warning: " + warning);
+  for (const std::string& warning : warnings_of(summary)) answers.push_back("warning: " + warning);
 
   std::vector<TunePoint> candidates = result.points;
   candidates.insert(candidates.end(), result.curve.begin(), result.curve.end());

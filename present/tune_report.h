@@ -17,9 +17,9 @@ std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<Tune
 /// Whether every evaluated point, the default included, has the same cost and keeps the constraints as well.
 bool are_all_equal(const TuneResult& result);
 
-/// Axes at whose end the best value lies, although the parameter could go on: "shadow.normal-offset: the best value 3
-/// is the upper end of the axis; extend it".
-std::vector<std::string> end_warnings(const TuneSummary& summary);
+/// Axes at whose end the best value lies, although the parameter could go on ("shadow.normal-offset: the best value 3
+/// is the upper end of the axis; extend it"), then those of the summary.
+std::vector<std::string> warnings_of(const TuneSummary& summary);
 
 Presentation present_tuning(const TuneSummary& summary);
 

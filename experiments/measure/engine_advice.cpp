@@ -17,7 +17,7 @@ double constant_besides_numbers(const BiasEngine& engine, const MapPlace& place)
   return place.light == LightKind::directional ? engine.constant_of_range * place.range : 0.0;
 }
 
-// What `part` leaves of `whole`. Ours has the digits of a float.
+// What `part` leaves of `whole`, a length of ours that was rounded to a float; 0 where `part` is larger.
 double without(double whole, double part) { return whole <= part * (1.0 + 1e-6) ? std::min(whole, 0.0) : whole - part; }
 
 class EnginesOfLight {
@@ -207,7 +207,7 @@ std::string no_engines_text(const Stages& stages, const Experiment& experiment, 
 }
 
 std::vector<EngineAdvice> advise_engines(Stages& stages, const Experiment& experiment, std::uint32_t light) {
-  return advise_engines({{stages, experiment, {}, light}}).front();
+  return advise_engines({{stages, experiment, std::nullopt, light}}).front();
 }
 
 std::vector<std::vector<EngineAdvice>> advise_engines(const std::vector<EngineCase>& cases) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/digits.h"
 #include "core/interrupt.h"
 #include "core/lists.h"
 #include "experiments/measure/measure_biases.h"
@@ -59,7 +60,7 @@ void add_acne(std::vector<BiasCell>& cells, const TuneInput& in, const std::vect
 void round_recommended(TuneResult& result, TunePoint& point, const TuneInput& in, const PointMeasurer& measurer) {
   BiasPlateau& plateau = *result.plateau;
   const double exact = plateau.recommended.constant;
-  const double step = std::pow(10.0, std::floor(std::log10(std::abs(exact))) - 2.0);
+  const double step = step_of_last_digit(exact, 3);
   if (exact == 0.0 || !in.axes[*measurer.layout().exact].is_continuous) return;
   BiasCell cell{std::stod(fmt::format("{:.3g}", std::ceil(exact / step - 1e-9) * step)), 0.0, 0.0};
   if (cell.constant == exact || cell.constant > plateau.last.constant) return;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "core/digits.h"
 #include "core/error.h"
 
 namespace umbrameter {
@@ -85,7 +86,7 @@ double larger_bias(const ConvertedTarget& target, std::size_t number, std::size_
 
 double rounded_up(double number, double step) {
   if (number == 0.0) return number;
-  const double rounded = multiple_above(number, std::pow(10.0, std::floor(std::log10(std::abs(number))) - 2.0));
+  const double rounded = multiple_above(number, step_of_last_digit(number, 3));
   return step > 0.0 ? multiple_above(rounded, step) : rounded;
 }
 
