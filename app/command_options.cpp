@@ -21,6 +21,9 @@ constexpr std::pair<const char*, const char*> short_names[] = {
     {"view.light", "light"},    {"run.seed", "seed"},       {"run.classes", "classes"},
     {"run.measure", "measure"}, {"run.overlay", "overlay"}, {"run.for", "for"}};
 
+// A list to which each flag adds, as to that of convert's --to.
+constexpr std::string_view repeatable = "run.for";
+
 constexpr std::pair<const char*, const char*> group_titles[] = {
     {"scene", "Scene"},     {"view", "View"},       {"light", "Size of lights"}, {"shadow", "Shadow technique"},
     {"ao", "AO technique"}, {"shading", "Shading"}, {"engine", "Engine"},        {"frame", "Frame from files"},
@@ -174,9 +177,15 @@ void add_parameters(CLI::App& command, CommandLine& line, const std::function<bo
     for (const auto& [key, text] : group_titles) {
       if (group == key) title = text;
     }
-    CLI::Option* option = command.add_option_function<std::string>(
-        names, [&line, key = parameter.key](const std::string& text) { line.settings.emplace_back(key, text); },
-        parameter.description.meaning);
+    const auto set = [&line, key = parameter.key](const std::string& text) {
+      const auto earlier = std::ranges::find(line.settings, key, &std::pair<std::string, std::string>::first);
+      if (key == repeatable && earlier != line.settings.end()) {
+        earlier->second += "," + text;
+      } else {
+        line.settings.emplace_back(key, text);
+      }
+    };
+    CLI::Option* option = command.add_option_function<std::string>(names, set, parameter.description.meaning);
     option->trigger_on_parse()->group(title);
     // Without a value: true.
     if (std::holds_alternative<bool*>(parameter.field)) option->expected(0, 1)->default_str("true");

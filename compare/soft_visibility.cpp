@@ -127,7 +127,7 @@ SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, con
 Statistics describe(SoftVisibilityStatistics& s) {
   return StatisticsDescription()
       .field("pixels", s.error.pixels, "px",
-             "counted pixels: they face part of the light and lie inside its map, cone and range")
+             "counted pixels: they face the light, or a part of it, and lie inside its map, cone and range")
       .field("lit", s.error.mean_truth, "1", "mean visibility of the reference")
       .field("penumbra", s.penumbra, "1",
              "weighted share in the penumbra: mean of 4V(1 − V), V the visibility of the reference; a linear penumbra "

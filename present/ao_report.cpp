@@ -19,6 +19,29 @@ double reach_of(const AoParams& params) {
   return integral ? integral->reach : params.sampling.radius.number;
 }
 
+// How far technique and reference look; `limit` as ao_limit_text() gives it.
+std::string reaches_text(const AoParams& params, const std::string& limit) {
+  const double radius = params.sampling.radius.number;
+  const double reach = reach_of(params);
+  const std::string reaches = metres_text(reach);
+  AoTechnique technique = make_technique(params);
+  const Parameters parameters = describe(technique);
+  // Only techniques that test points have one; what hides a point in the image may be nearer to the camera than it.
+  if (const Parameter* range_check = find(parameters, "ao.range-check")) {
+    return fmt::format(
+        "The technique tests points up to {} away, the reference looks for occluders {}. What hides a point in the "
+        "image darkens the pixel{}.",
+        reaches, limit,
+        std::get<bool>(range_check->value())
+            ? fmt::format(" even from farther away; the range check fades out what lies more than {} off in depth",
+                          metres_text(radius))
+            : " from any distance, as ao.range-check is false");
+  }
+  if (limit == "up to " + reaches) return fmt::format("Technique and reference look for occluders up to {}.", reaches);
+  return fmt::format("The technique looks for occluders up to {}{}, the reference {}.", reaches,
+                     reach == radius ? "" : fmt::format(" ({:.4g} times ao.radius)", reach / radius), limit);
+}
+
 std::string ao_technique_text(const AoParams& params) {
   AoTechnique technique = make_technique(params);
   const bool has_bias = find(describe(technique), "ao.bias") != nullptr;
@@ -68,7 +91,10 @@ std::string ao_radius_text(const AoParams& params) {
 }
 
 std::string ao_limit_text(const TruthParams& params) {
-  return has_distance_limit(params) ? "up to " + metres_text(params.ao_distance.number) : "without distance limit";
+  if (!has_distance_limit(params)) return "without distance limit";
+  const bool is_endless = std::isinf(umbrameter::reach_of(params));
+  return (is_endless ? "without distance limit, fading out beyond " : "up to ") +
+         metres_text(params.ao_distance.number);
 }
 
 std::string no_ao_text(double error, double mean_truth) {
@@ -83,7 +109,7 @@ void add_without_ao(Presentation& presentation, double error, double mean_truth)
     presentation.answers.push_back("warning: " + warning);
   } else {
     const double without = 1.0 - mean_truth;
-    presentation.lines.push_back("  AO: without any AO its error would be " + percent(without));
+    presentation.lines.push_back("  AO: without any AO the error would be " + percent(without));
     presentation.section.text += "\n\nWithout any AO the error of ambient occlusion would be " + percent(without) + ".";
   }
 }
@@ -127,19 +153,14 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
       {"mean signed error", is_measurable(s) ? with_sign(percent(s.mean_error)) : text.with_sign, "below 0: too dark"},
   };
-  const double radius = experiment.ao.sampling.radius.number;
-  const double reach = reach_of(experiment.ao);
-  const std::string reaches = metres_text(reach);
-  if (!renderer.empty()) {
-    section.text += fmt::format("\n\nThe reference looks for occluders {}{}.", limit,
-                                limit == "up to " + metres_text(radius)
+  section.text += "\n\n";
+  if (renderer.empty()) {
+    section.text += reaches_text(experiment.ao, limit);
+  } else {
+    section.text += fmt::format("The reference looks for occluders {}{}.", limit,
+                                limit == "up to " + metres_text(experiment.ao.sampling.radius.number)
                                     ? ", as our ao.radius does; set truth.ao-distance to the reach of " + renderer
                                     : "");
-  } else if (limit == "up to " + reaches) {
-    section.text += fmt::format("\n\nTechnique and reference look for occluders up to {}.", reaches);
-  } else {
-    section.text += fmt::format("\n\nThe technique looks for occluders up to {}{}, the reference {}.", reaches,
-                                reach == radius ? "" : fmt::format(" ({:.4g} times ao.radius)", reach / radius), limit);
   }
   section.text +=
       " Noise in the reference can only raise the mean absolute error, which is therefore given as a range; its lower "

@@ -73,9 +73,12 @@ void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
       {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
   const bool is_of_cascades =
       shadow.layout.kind == MapKind::orthographic && shadow.experiment.shadow.fit.cascade_bias == own_range;
-  const char* depth =
-      is_of_cascades ? "as a share of each cascade's own range, on average " : "in the map's depth, mean range ";
-  table.rows.push_back({depth + metres_text(shadow.depth_unit), known(bias.depth), std::string("normalised depth")});
+  const std::string unit = metres_text(shadow.depth_unit);
+  const bool is_linear = shadow.depth_unit == shadow.layout.far_depth;
+  const std::string depth = is_of_cascades ? "as a share of each cascade's own depth range, on average " + unit
+                            : is_linear    ? "as a share of the map's depth range, " + unit
+                                           : "in units of the map's depth, at the receivers on average " + unit;
+  table.rows.push_back({depth, known(bias.depth), std::string("normalised depth")});
   section.tables.push_back({"Constant bias of these images", std::move(table)});
 }
 
@@ -163,8 +166,9 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the lit share of the "
-      "{}); {}",
+      "{}: error {}{} against {}; too dark {}, too bright {}; {} of the reference is penumbra (mean of 4V(1 − V), V "
+      "the "
+      "lit share of the {}); {}",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
       percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra),

@@ -59,9 +59,9 @@ std::string edges_text(const ErrorShape& shape) {
       grouped(shape.edges));
   if (shape.outside_penumbra) {
     text += fmt::format(
-        " {} of the error counts as outside the penumbra, with the weight 1 − 4V(1 − V), V the visibility of the "
-        "reference: 1 where it is lit or blocked, 0 where it is half lit. An error that is the same all over a linear "
-        "penumbra, and nowhere else, gives 33 %.",
+        " {} of the error counts as outside the penumbra. Of a pixel's error, 4V(1 − V) counts as inside, V the "
+        "visibility of the reference: all of it where V is ½, none where V is 0 or 1. So 33 % is what an error within "
+        "the penumbra alone gives, if it is the same all over a linear one.",
         percent(*shape.outside_penumbra));
   }
   return text;
@@ -166,8 +166,8 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
             "hard shadow" +
                 std::string(is_soft ? " of the light's centre. Errors of a cast penumbra lie within its width"
                                     : ". Errors of the filter lie within its width") +
-                " of that edge; errors farther away have another cause" +
-                (is_soft ? ", such as surfaces that face only a part of the light." : ".");
+                " of that edge; errors farther away have another cause, such as self-shadowing" +
+                (is_soft ? ", light leak or surfaces that face only a part of the light." : " or light leak.");
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};
   figure.series = "part";

@@ -197,22 +197,24 @@ Stage Stages::reference_stage(const Experiment& experiment, std::uint32_t light)
 std::shared_ptr<const TracedVisibility> Stages::truth(const Experiment& experiment, std::uint32_t light) {
   const Stage stage = reference_stage(experiment, light);
   if (stage == Stage::binary_reference) return hard_truth(experiment, light);
+  const char* of_what = stage == Stage::pixel_reference ? ", over whole pixels" : ", with its size";
   return get(sampled_truth_, stage, experiment, light,
-             [&](const Experiment& read) { return trace(read, stage, light); });
+             [&](const Experiment& read) { return trace(read, stage, light, of_what); });
 }
 
 std::shared_ptr<const TracedVisibility> Stages::hard_truth(const Experiment& experiment, std::uint32_t light) {
   constexpr Stage stage = Stage::binary_reference;
-  return get(hard_truth_, stage, experiment, light, [&](const Experiment& read) { return trace(read, stage, light); });
+  // The stage does not read the size, and its experiment lacks it.
+  const bool has_size = is_area(with_extent(scene_.lights[light], experiment.light));
+  return get(hard_truth_, stage, experiment, light,
+             [&](const Experiment& read) { return trace(read, stage, light, has_size ? ", without its size" : ""); });
 }
 
-TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, std::uint32_t light) {
+TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, std::uint32_t light,
+                               const char* of_what) {
   Light lamp = this->light(experiment, light);
   const bool is_over_pixel = reference == Stage::pixel_reference;
-  const bool is_hard = reference == Stage::binary_reference;
-  const char* of_size = !is_area(lamp) ? "" : is_hard ? ", without its size" : ", with its size";
-  const char* of_what = is_over_pixel ? ", over whole pixels" : of_size;
-  if (is_hard) lamp.emitter = std::monostate{};
+  if (reference == Stage::binary_reference) lamp.emitter = std::monostate{};
   ReferenceKey key = reference_key(experiment, reference, "visibility");
   key.light = light_content(lamp);
   const auto seen = surfels(experiment);

@@ -40,7 +40,6 @@ void add_cases(std::vector<TuneCase>& cases, Stages& stages, const Experiment& e
     TuneCase tuned{&stages, experiment, quantity, light, {}};
     tuned.experiment.view.light = std::to_string(light);
     tuned.title = fmt::format("{}, {}{}", view, stages.title(light), suffix);
-    stages.check_is_meaningful(tuned.experiment, {light});
     cases.push_back(std::move(tuned));
   }
 }
@@ -68,6 +67,10 @@ std::vector<TuneCase> cases_of(Stages& stages, const Experiment& experiment, Swe
   for (const auto& [key, text] : over) axes.push_back(parse_case_axis(stages, parameters, key, text));
   std::vector<TuneCase> cases;
   go_over(cases, stages, experiment, quantity, axes, 0, "");
+  if (quantity != SweptQuantity::visibility) return cases;
+  // As in compare, a parameter of suns alone has a sense if one of the lights is one.
+  const std::vector<std::uint32_t> lights = mapped(cases, &TuneCase::light);
+  for (const TuneCase& each : cases) stages.check_is_meaningful(each.experiment, lights);
   return cases;
 }
 

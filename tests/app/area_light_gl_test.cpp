@@ -25,6 +25,21 @@ Image<float> layer(const std::filesystem::path& exr, const std::string& name) {
 
 using AreaLightRun = GlRun;
 
+TEST_F(AreaLightRun, The_hard_reference_beside_the_soft_one_is_named_as_such) {
+  ProgramOptions options;
+  options.environment = {"XDG_CACHE_HOME=" + (folder_ / "home").string()};
+  const auto notes = [&] {
+    return run_program({"compare", "corner", "-o", folder_ / "out", "--force", "--light", "sun", "--light.angle", "6",
+                        "--size", "96x54", "--truth.spp", "16", "--measure", "shadows", "--no-figures"},
+                       options)
+        .err;
+  };
+  notes();
+  const std::string again = notes();
+  EXPECT_NE(again.find(", with its size: using"), std::string::npos) << again;
+  EXPECT_NE(again.find(", without its size: using"), std::string::npos) << again;
+}
+
 TEST_F(AreaLightRun, The_error_is_split_by_sign_with_intervals_and_has_no_causes) {
   const ProgramResult result = run_program(words(
       {"compare", "contact-box", "-o", folder_ / "out", "--light", "sun", "--light.angle", "8", "--json"}, small));

@@ -60,6 +60,7 @@ TEST_F(CacheCommand, Gives_the_same_files_bit_for_bit) {
   EXPECT_EQ(entries().size(), 2u) << "the sun's visibility and AO";
   const ProgramResult second = trace("second");
   EXPECT_NE(second.err.find(hit), std::string::npos) << second.err;
+  EXPECT_EQ(second.err.find(" its size"), std::string::npos) << "the sun has none: " << second.err;
   const ProgramResult without = trace("without", {"--no-cache"});
   EXPECT_EQ(without.err.find(hit), std::string::npos) << without.err;
   for (const char* file : {"images.exr", "summary.json", "index.html"}) {

@@ -194,6 +194,16 @@ TEST_F(Tune, Over_several_lights_and_parameters_beats_the_default_and_repeats_to
   EXPECT_EQ(text_of(folder_ / "second/evaluations.csv"), text_of(folder_ / "first/evaluations.csv"));
 }
 
+// As in compare: spot and point lights do not read it. Without a sun nothing does.
+TEST_F(Tune, Cascades_of_the_sun_may_be_tuned_beside_other_lights) {
+  const std::vector<std::string> flags = {"--shadow.cascades", "3", "--vary", "shadow.constant-bias=0:4texels",
+                                          "--evaluations",     "5"};
+  EXPECT_EQ(tuning("all", flags)["best"]["cases"].size(), 4u);
+  const ProgramResult lamp = run_program(arguments("lamp", words(flags, {"--light", "lamp"})));
+  EXPECT_EQ(lamp.exit_code, 2);
+  EXPECT_NE(lamp.err.find("no measured light is directional"), std::string::npos) << lamp.err;
+}
+
 TEST_F(Tune, Interrupted_run_resumes_to_the_same_result) {
   const std::vector<std::string> flags = {
       "--light", "sun", "--vary", "shadow.slope-bias=0:4", "--vary", "shadow.normal-offset=0:2", "--evaluations", "20"};

@@ -3,6 +3,7 @@
 
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -47,7 +48,7 @@ TEST(AoAnswer, An_error_stands_beside_that_of_no_ambient_occlusion) {
   SampledError& error = ao.statistics->error;
   error.mae = {0.1, 0.1, 0.1};
   error.mean_truth = {0.8, 0.8, 0.8};
-  EXPECT_EQ(present_ao({}, ao).lines.front(), "  AO: without any AO its error would be 20.0 %");
+  EXPECT_EQ(present_ao({}, ao).lines.front(), "  AO: without any AO the error would be 20.0 %");
   error.mean_truth = {0.95, 0.95, 0.95};
   EXPECT_EQ(present_ao({}, ao).answers.back().find(
                 "warning: no AO at all would be about as close to the reference, or closer: its error is 5.00 %"),
@@ -66,12 +67,27 @@ TEST(AoAnswer, An_error_of_rounding_has_no_row_of_zeros) {
 
 TEST(AoAnswer, Where_both_look_equally_far_one_distance_is_given) {
   AoMeasurement ao = measurement();
-  EXPECT_NE(present_ao({}, ao).section.text.find("Technique and reference look for occluders up to 50 cm."),
-            std::string::npos);
+  ao.experiment.ao.technique = AoTechniques::choice<Alchemy>;
+  expect_words(present_ao({}, ao).section.text, {"Technique and reference look for occluders up to 50 cm."});
   ao.experiment.truth.ao_distance = 2.0;
-  EXPECT_NE(
-      present_ao({}, ao).section.text.find("The technique looks for occluders up to 50 cm, the reference up to 2 m."),
-      std::string::npos);
+  expect_words(present_ao({}, ao).section.text,
+               {"The technique looks for occluders up to 50 cm, the reference up to 2 m."});
+}
+
+// The points of SSAO lie within the radius, what hides them in the image may not.
+TEST(AoAnswer, A_technique_that_tests_points_is_not_said_to_limit_the_distance_of_occluders) {
+  AoMeasurement ao = measurement();
+  expect_words(present_ao({}, ao).section.text,
+               {"The technique tests points up to 50 cm away, the reference looks for occluders up to 50 cm.",
+                "the range check fades out what lies more than 50 cm off in depth"});
+  ao.experiment.ao.ssao.range_check = false;
+  expect_words(present_ao({}, ao).section.text, {"from any distance, as ao.range-check is false"});
+}
+
+TEST(AoAnswer, A_falloff_without_an_end_is_no_limit) {
+  AoMeasurement ao = measurement();
+  ao.experiment.truth.ao_falloff = AoFalloff::ssao;
+  expect_words(present_ao({}, ao).answers.at(0), {"reference rays without distance limit, fading out beyond 50 cm"});
 }
 
 TEST(AoAnswer, A_stage_that_changes_more_than_the_error_is_said_to_be_undone_in_part) {
