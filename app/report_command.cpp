@@ -214,6 +214,11 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
                        ? "95 % intervals cover the choice of pixels and the noise of the reference: blocks of pixels "
                          "are left out in turn."
                        : "These errors have no 95 % intervals.";
+    if (part.has_noise) {
+      section.text +=
+          " Noise can only raise an absolute error: its interval also holds what it would be without, and so do those "
+          "of differences.";
+    }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=
           " An interval marked * covers the noise of the reference only, because the images of the run do not give "

@@ -125,7 +125,7 @@ AoResponse::AoResponse(const SampledImage& truth, const GBuffer& gbuffer, AoAxes
     : truth_(truth),
       gbuffer_(gbuffer),
       axes_(std::move(axes)),
-      noise_reach_(student_95(truth.degrees_of_freedom)),
+      noise_reach_(noise_reach(truth.degrees_of_freedom)),
       parts_(part_count) {
   assert(!axes_.biases.empty() && !axes_.samples.empty() && !axes_.tones.empty());
   for (Part& part : parts_) {

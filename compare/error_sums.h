@@ -45,7 +45,7 @@ double folded_excess(double e, double s);
 
 /// Noise may have moved a measured error away from zero: its excess is taken as if the error were this many standard
 /// errors smaller, which bounds it for all but 2.5 % of the pixels.
-double noise_reach(const SampledImage& truth);
+double noise_reach(int degrees_of_freedom);
 
 /// The largest share that so many rays miss with a probability of at least 5 % (rule of three).
 double unseen_share(double samples);

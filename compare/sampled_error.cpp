@@ -60,7 +60,7 @@ void add_part(PartSums& part, double error, double variance, const NoiseBound& n
 
 ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
   ErrorSums sums;
-  const double reach = noise_reach(truth);
+  const double reach = noise_reach(truth.degrees_of_freedom);
   for (int x = 0; x < raster.width; ++x) {
     const std::size_t i = raster.index(x, y);
     if (!is_counted(i)) continue;
@@ -123,7 +123,7 @@ double folded_excess(double e, double s) {
   return s * (std::sqrt(2.0 / pi) * std::exp(-0.5 * r * r) - r * std::erfc(r / std::sqrt(2.0)));
 }
 
-double noise_reach(const SampledImage& truth) { return student_95(truth.degrees_of_freedom); }
+double noise_reach(int degrees_of_freedom) { return student_95(degrees_of_freedom); }
 
 double unseen_share(double samples) { return std::min(rule_of_three / samples, 1.0); }
 

@@ -71,7 +71,7 @@ std::vector<Sums> sum_rows(const CountedPixels& counted, const Visit& visit) {
 
 void add_penumbra(SoftVisibilityStatistics& statistics, const Image<float>& raster, const SampledImage& truth,
                   const CountedPixels& counted) {
-  const double reach = noise_reach(truth);
+  const double reach = noise_reach(truth.degrees_of_freedom);
   PenumbraSums sums;
   const auto rows = sum_rows<PenumbraSums>(counted, [&](std::size_t i, PenumbraSums& row) {
     const PenumbraPixel pixel = penumbra_pixel(raster[i], truth, i, reach);

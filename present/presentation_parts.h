@@ -34,7 +34,7 @@ inline constexpr const char* classes_caption = "Main cause of the wrong taps of 
 inline constexpr const char* image_error_caption = "Luminance, technique − reference.";
 inline constexpr const char* image_cause_caption =
     "The input that matters most: replacing it by the reference's changes the pixel most. Only where the error is "
-    "visible.";
+    "at least 1/255 of white.";
 
 /// Columns whose names say it all.
 std::vector<Column> plain_columns(std::initializer_list<const char*> names);

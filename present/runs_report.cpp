@@ -19,27 +19,29 @@ namespace {
 double scale_of(const std::string& unit) { return unit == "1" ? 100.0 : 1.0; }
 std::string shown_unit(const std::string& unit) { return unit == "1" ? "%" : unit; }
 
-double half_width_of(const Estimate& estimate) { return 0.5 * (estimate.upper - estimate.lower); }
+// "12.8 ± 1.9", or "12.8 (10.7 to 14.7)" where noise of the reference may have raised the value, or the interval ends
+// at 0: its ends do not show the value.
+std::string interval_text(const Estimate& estimate, double scale) {
+  const std::string value = with_half_width(scale * estimate.value, 0.0);
+  if (!(estimate.upper > estimate.lower)) return value;
+  const std::string text = estimate_text({scale * estimate.value, scale * estimate.lower, scale * estimate.upper}, "");
+  return text.find(" to ") == std::string::npos ? text : fmt::format("{} ({})", value, text);
+}
 
 // Marks an interval that does not cover the choice of pixels.
 constexpr const char* rays_only_mark = "*";
 
 std::string compared_text(const ComparedValue& value) {
   const double scale = scale_of(value.measured.unit);
-  const auto [number, lower, upper] = estimate_of(value);
+  const double number = value.measured.value;
   const bool is_count = value.measured.unit == "px" && number >= 0.0 && number == std::floor(number);
   if (is_count && !(value.half_width > 0.0)) return grouped(static_cast<std::uint64_t>(number));
-  std::string text = value.half_width > 0.0 ? estimate_text({scale * number, scale * lower, scale * upper}, "")
-                                            : with_half_width(scale * number, 0.0);
-  // An interval that ends at 0 does not show the value.
-  if (text.find(" to ") != std::string::npos) text = fmt::format("{} ({})", with_half_width(scale * number, 0.0), text);
-  return text + (value.interval == IntervalOf::rays ? rays_only_mark : "");
+  return interval_text(estimate_of(value), scale) + (value.interval == IntervalOf::rays ? rays_only_mark : "");
 }
 
 std::string difference_text(const ComparedValue& value) {
-  if (value.verdict == Verdict::base) return "—";
-  const double scale = scale_of(value.measured.unit);
-  const std::string text = with_half_width(scale * value.difference.value, scale * half_width_of(value.difference)) +
+  if (value.verdict == Verdict::base || value.verdict == Verdict::no_base) return "—";
+  const std::string text = interval_text(value.difference, scale_of(value.measured.unit)) +
                            (value.verdict == Verdict::rays_only ? rays_only_mark : "");
   const bool is_shown = value.verdict == Verdict::significant || value.verdict == Verdict::equal;
   return is_shown ? text : "(" + text + ")";
@@ -51,6 +53,8 @@ std::string verdict_text(const ComparedValue& value) {
   switch (value.verdict) {
     case Verdict::base:
       return "—";
+    case Verdict::no_base:
+      return "not compared: the first run has no such statistic";
     case Verdict::equal:
       return "equal";
     case Verdict::significant:
@@ -78,7 +82,7 @@ std::string part_title(const ComparedStatistic& compared) {
 
 std::string file_stem(const std::vector<StoredRun>& runs, const ComparedStatistic& compared) {
   if (compared.light.empty()) return compared.kind;
-  return compared.kind + "_" + runs.front().layers.at(compared.light);
+  return compared.kind + "_" + runs[compared.values.front().run].layers.at(compared.light);
 }
 
 // "Mean absolute error". What it is an error of is the table's subject.
@@ -94,10 +98,9 @@ std::string head_with_unit(const std::string& text, const std::string& unit) {
 
 // Without an interval nothing can be said of a difference that the values do not say.
 std::string printed_difference(const ComparedValue& value) {
-  if (value.verdict == Verdict::no_interval) return "—";
+  if (value.verdict == Verdict::no_interval || value.verdict == Verdict::no_base) return "—";
   if (value.verdict == Verdict::equal) return "0";
-  const double scale = scale_of(value.measured.unit);
-  const std::string text = with_half_width(scale * value.difference.value, scale * half_width_of(value.difference));
+  const std::string text = interval_text(value.difference, scale_of(value.measured.unit));
   return value.verdict == Verdict::significant ? text + "*" : text;
 }
 
@@ -195,6 +198,7 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
     for (auto each = first; each != last; ++each) {
       if (each->is_error) errors.push_back(&*each);
       for (const ComparedValue& value : each->values) {
+        part.has_noise = part.has_noise || value.noise > 0.0;
         part.all.rows.push_back({title_text(*each), shown_unit(each->unit), runs[value.run].name, compared_text(value),
                                  difference_text(value), verdict_text(value)});
       }
@@ -210,17 +214,18 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
 }
 
 Table comparison_rows(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared) {
-  Table table{plain_columns({"kind", "light", "statistic", "unit", "run", "value", "half_width", "interval_of",
+  Table table{plain_columns({"kind", "light", "statistic", "unit", "run", "value", "half_width", "noise", "interval_of",
                              "difference", "difference_lo", "difference_hi", "blocks", "verdict"}),
               {}};
-  constexpr const char* verdicts[] = {"base", "equal", "significant", "not significant", "rays only", "no interval"};
+  constexpr const char* verdicts[] = {"base",      "equal",       "significant", "not significant",
+                                      "rays only", "no interval", "no base"};
   constexpr const char* intervals[] = {"", "rays", "pixels and rays"};
   for (const ComparedStatistic& each : compared) {
     for (const ComparedValue& value : each.values) {
       table.rows.push_back({each.kind, each.light, each.name, each.unit, runs[value.run].name, value.measured.value,
-                            value.half_width, std::string(intervals[static_cast<std::size_t>(value.interval)]),
-                            value.difference.value, value.difference.lower, value.difference.upper,
-                            static_cast<std::int64_t>(value.blocks),
+                            value.half_width, value.noise,
+                            std::string(intervals[static_cast<std::size_t>(value.interval)]), value.difference.value,
+                            value.difference.lower, value.difference.upper, static_cast<std::int64_t>(value.blocks),
                             std::string(verdicts[static_cast<std::size_t>(value.verdict)])});
     }
   }
@@ -230,6 +235,7 @@ Table comparison_rows(const std::vector<StoredRun>& runs, const std::vector<Comp
 std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
                                             const std::vector<ComparedStatistic>& compared) {
   std::vector<std::string> answers;
+  bool shows_noise = false;
   for (const ComparedStatistic& each : compared) {
     if (each.name != error_statistic) continue;
     const std::string what = each.light.empty() ? (each.kind == "ao" ? "AO" : each.kind) : each.light;
@@ -243,13 +249,18 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
                             value.counted_blocks, value.counted_blocks == 1 ? "" : "s", fewest_blocks);
       } else if (value.verdict == Verdict::equal) {
         line += fmt::format("; equal to that of {}", runs.front().name);
-      } else if (value.verdict != Verdict::base) {
+      } else if (value.verdict != Verdict::base && value.verdict != Verdict::no_base) {
         line += fmt::format("; difference to {} {} percentage points ({})", runs.front().name,
-                            with_half_width(100.0 * value.difference.value, 100.0 * half_width_of(value.difference)),
-                            verdict_text(value));
+                            interval_text(value.difference, 100.0), verdict_text(value));
       }
+      shows_noise = shows_noise || (value.noise > 0.0 && line.find(" to ") != std::string::npos);
       answers.push_back(std::move(line));
     }
+  }
+  if (shows_noise) {
+    answers.emplace_back(
+        "noise of the reference can only raise an error: a range (… to …) also holds what the error would be "
+        "without it; more rays (--truth.spp) shorten it");
   }
   for (const StoredRun& run : runs) {
     const auto of_ao = [&](std::string_view name) {

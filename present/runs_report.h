@@ -22,6 +22,7 @@ struct PartTables {
   /// has a value of are left out.
   Table printed_values;
   Table printed_differences;  ///< to the first run, those with an interval; an asterisk where significant
+  bool has_noise = false;     ///< of the reference, which may have raised a value
 };
 std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared);
 

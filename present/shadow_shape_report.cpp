@@ -159,8 +159,9 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   figure.caption =
       shape.components
           ? "Share of each cause's error within a distance of the nearest edge of the hard shadow. Most aliasing lies "
-            "within one or two texels of an edge, or in a pixel beside it; acne may lie far from any edge. Where a "
-            "shadow ends at an object's outline or is thinner than a pixel, the image has no edge, and aliasing there "
+            "within one or two texels of an edge, or in a pixel beside it; a filter blurs edges over its width, and "
+            "acne may lie far from any edge. Where a shadow ends at an object's outline or is thinner than a pixel, "
+            "the image has no edge, and aliasing there "
             "counts as far from one."
           : "Share of the error that is too dark, and of that too bright, within a distance of the nearest edge of the "
             "hard shadow" +

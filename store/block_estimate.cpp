@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "compare/error_sums.h"
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
 #include "core/jackknife.h"
@@ -28,10 +29,12 @@ struct StoredImages {
   const Image<float>* counted = nullptr;
   const Image<float>* position = nullptr;                 // NaN on background
   std::array<const Image<float>*, cause_count> causes{};  // of a filter with several taps
+  int degrees_of_freedom = 0;                             // of the variance
 };
 
 StoredImages images_of(const StoredRun& run, const MeasuredStatistic& statistic) {
   StoredImages images;
+  images.degrees_of_freedom = statistic.degrees_of_freedom;
   std::string light;
   const auto find = [&](Layer layer) { return find_values(run.images, layer, light); };
   images.position = find_channel(run.images, layer_name(Layer::gbuffer_position) + ".X");
@@ -71,6 +74,7 @@ struct PixelValues {
   double truth = 0.0;
   double raster = 0.0;
   double variance = 0.0;
+  double excess = 0.0;                       // the most that noise may have added to the absolute error
   std::array<double, cause_count> causes{};  // parts of the absolute error
 };
 
@@ -81,6 +85,9 @@ PixelValues values_at(const StoredImages& images, std::size_t i) {
   const double standard_error = value(images.standard_error);
   PixelValues values{value(images.error), value(images.truth), value(images.raster),
                      value(images.variance) + standard_error * standard_error};
+  const double s = std::sqrt(values.variance);
+  const double least_error = std::max(std::abs(values.error) - noise_reach(images.degrees_of_freedom) * s, 0.0);
+  values.excess = folded_excess(least_error, s);
   const long main_cause = std::lround(value(images.classes)) - static_cast<long>(PixelClass::acne);
   for (std::size_t c = 0; c < cause_count; ++c) {
     const double of_one_tap = static_cast<long>(c) == main_cause ? std::abs(values.error) : 0.0;
@@ -90,12 +97,15 @@ PixelValues values_at(const StoredImages& images, std::size_t i) {
 }
 
 double one(const PixelValues&) { return 1.0; }
+double nothing(const PixelValues&) { return 0.0; }
+double penumbra(const PixelValues& p) { return penumbra_weight(p.truth, p.variance); }
 
 // A statistic as a ratio of sums over pixels.
 struct PixelMean {
   double (*term)(const PixelValues&) = nullptr;  // what a pixel adds; null: it is no such ratio
   bool is_root = false;                          // the statistic is the root of the ratio
   double (*weight)(const PixelValues&) = one;
+  double (*of_excess)(const PixelValues&) = nothing;  // times `excess`: how much of the term may be noise
 };
 
 template <Cause cause>
@@ -108,9 +118,10 @@ PixelMean mean_of(const std::string& name) {
   const auto too_bright = [](const PixelValues& p) { return std::max(0.0, p.error); };
   const auto truth = [](const PixelValues& p) { return p.truth; };
   const auto raster = [](const PixelValues& p) { return p.raster; };
-  const auto penumbra = [](const PixelValues& p) { return penumbra_weight(p.truth, p.variance); };
+  // max(e, 0) is (|e| + e)/2, and noise adds nothing to the mean of e.
+  const auto half = [](const PixelValues&) { return 0.5; };
   const std::pair<const char*, PixelMean> means[] = {
-      {"mae", {[](const PixelValues& p) { return std::abs(p.error); }}},
+      {"mae", {[](const PixelValues& p) { return std::abs(p.error); }, false, one, one}},
       {"rmse", {[](const PixelValues& p) { return p.error * p.error - p.variance; }, true}},
       {"mean_error", {[](const PixelValues& p) { return p.error; }}},
       {"lit", {truth}},
@@ -119,11 +130,12 @@ PixelMean mean_of(const std::string& name) {
       {"mean_raster", {raster}},
       {"penumbra", {penumbra}},
       {"penumbra_mae",
-       {[](const PixelValues& p) { return penumbra_error(p.raster, p.truth, p.variance); }, false, penumbra}},
-      {"too_dark", {too_dark}},
-      {"too_bright", {too_bright}},
-      {"false_blocked", {too_dark}},
-      {"false_lit", {too_bright}},
+       {[](const PixelValues& p) { return penumbra_error(p.raster, p.truth, p.variance); }, false, penumbra,
+        [](const PixelValues& p) { return std::max(penumbra(p), 0.0); }}},
+      {"too_dark", {too_dark, false, one, half}},
+      {"too_bright", {too_bright, false, one, half}},
+      {"false_blocked", {too_dark, false, one, half}},
+      {"false_lit", {too_bright, false, one, half}},
       {"acne", {error_of_cause<Cause::acne>}},
       {"false_occlusion", {error_of_cause<Cause::false_occlusion>}},
       {"peter_panning", {error_of_cause<Cause::peter_panning>}},
@@ -143,6 +155,7 @@ struct BlockSums {
   std::vector<BlockSum> blocks;
   int columns = 1;
   BlockSum all;
+  double excess = 0.0;
   bool is_root = false;
 
   BlockPlace place(std::size_t block) const {
@@ -167,6 +180,7 @@ BlockSums sum_blocks(const StoredImages& images, const PixelMean& of) {
   BlockSums sums{std::vector<BlockSum>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)),
                  columns,
                  {},
+                 0.0,
                  of.is_root};
   for (int y = 0; y < error.height; ++y) {
     for (int x = 0; x < error.width; ++x) {
@@ -176,6 +190,7 @@ BlockSums sum_blocks(const StoredImages& images, const PixelMean& of) {
       const PixelValues values = values_at(images, i);
       const double term = of.term(values);
       const double weight = of.weight(values);
+      sums.excess += of.of_excess(values) * values.excess;
       for (BlockSum* each : {&sums.blocks[static_cast<std::size_t>(block)], &sums.all}) {
         each->sum += term;
         each->weight += weight;
@@ -218,7 +233,24 @@ std::optional<BlockEstimate> jackknife(double value, const std::vector<double>& 
   if (without.size() < fewest_blocks) return std::nullopt;
   const JackknifeVariance spread = jackknife_variance(without, places);
   const double half_width = student_95(spread.degrees_of_freedom) * std::sqrt(spread.variance);
-  return BlockEstimate{{value, value - half_width, value + half_width}, without.size()};
+  return BlockEstimate{value, half_width, 0.0, 0.0, without.size()};
+}
+
+// What noise may have added to the statistic of each of two runs that see the same surfels, as far as it does not
+// cancel in their difference. With one reference, noise adds n(e) to the error e of the one and n(e + d) to that of the
+// other, where d is the difference of the techniques. As n falls no faster than |e| grows, these differ by at most |d|.
+std::array<double, 2> uncommon_excess(const StoredImages& a, const StoredImages& b, const PixelMean& mean) {
+  std::array<double, 2> sums{};
+  for (std::size_t i = 0; i < a.error->size(); ++i) {
+    const std::array<PixelValues, 2> values = {values_at(a, i), values_at(b, i)};
+    const bool is_shared = values[0].truth == values[1].truth && values[0].variance == values[1].variance;
+    const double most = is_shared ? std::abs(values[1].error - values[0].error) : 1.0;
+    for (std::size_t run = 0; run < 2; ++run) {
+      if (!is_counted(run == 0 ? a : b, i)) continue;
+      sums[run] += mean.of_excess(values[run]) * std::min(values[run].excess, most);
+    }
+  }
+  return sums;
 }
 
 }  // namespace
@@ -233,7 +265,9 @@ std::optional<BlockEstimate> estimate_over_blocks(const StoredRun& run, const Me
     without.push_back(sums->value_without(i));
     places.push_back(sums->place(i));
   }
-  return jackknife(statistic.value, without, places);
+  std::optional<BlockEstimate> estimate = jackknife(statistic.value, without, places);
+  if (estimate) estimate->added = sums->excess / sums->all.weight;
+  return estimate;
 }
 
 std::size_t count_counted_blocks(const StoredRun& run, const MeasuredStatistic& statistic) {
@@ -247,9 +281,9 @@ std::optional<BlockEstimate> paired_difference(const StoredRun& a, const Measure
                                                const MeasuredStatistic& of_b) {
   const std::optional<BlockSums> sums_a = sums_of(a, of_a);
   const std::optional<BlockSums> sums_b = sums_of(b, of_b);
-  if (!sums_a || !sums_b || !see_the_same(*images_of(a, of_a).position, *images_of(b, of_b).position)) {
-    return std::nullopt;
-  }
+  const StoredImages images_a = images_of(a, of_a);
+  const StoredImages images_b = images_of(b, of_b);
+  if (!sums_a || !sums_b || !see_the_same(*images_a.position, *images_b.position)) return std::nullopt;
   std::vector<double> without;
   std::vector<BlockPlace> places;
   for (std::size_t i = 0; i < sums_a->blocks.size(); ++i) {
@@ -259,7 +293,13 @@ std::optional<BlockEstimate> paired_difference(const StoredRun& a, const Measure
     without.push_back(difference);
     places.push_back(sums_a->place(i));
   }
-  return jackknife(of_b.value - of_a.value, without, places);
+  std::optional<BlockEstimate> estimate = jackknife(of_b.value - of_a.value, without, places);
+  if (estimate) {
+    const auto [in_a, in_b] = uncommon_excess(images_a, images_b, mean_of(of_a.name));
+    estimate->added = in_b / sums_b->all.weight;
+    estimate->taken = in_a / sums_a->all.weight;
+  }
+  return estimate;
 }
 
 }  // namespace umbrameter

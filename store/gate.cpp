@@ -25,6 +25,7 @@ double number_of(const Json& value) {
 // The numbers of the blocks "statistics" and "metrics". A described statistic hides a metric of the same name.
 void read_part(const Json& part, const MeasuredStatistic& of_part, std::vector<MeasuredStatistic>& all) {
   const Json statistics = part.value("statistics", Json::object());
+  const int degrees_of_freedom = part.value("/truth/degrees_of_freedom"_json_pointer, 0);
   const double pixels = statistics.contains("pixels") ? number_of(statistics["pixels"]) : 0.0;
   const std::size_t first = all.size();
   for (const char* block : {"statistics", "metrics"}) {
@@ -41,6 +42,7 @@ void read_part(const Json& part, const MeasuredStatistic& of_part, std::vector<M
       const KnownStatistic* known = find_known(measured.kind, name);
       if (known != nullptr) measured.unit = known->unit;
       measured.value = number_of(value);
+      measured.degrees_of_freedom = degrees_of_freedom;
       if (values.contains(name + "_lo") && values.contains(name + "_hi")) {
         // Below the value, bounds also hold what its noise may have added.
         measured.half_width = number_of(values[name + "_hi"]) - measured.value;

@@ -21,10 +21,26 @@ const MeasuredStatistic* find_same(const StoredRun& run, const MeasuredStatistic
   return found == run.statistics.end() ? nullptr : &*found;
 }
 
+// Those of the first run, then what the others have besides; all of one light, of AO or of the image stand together.
+std::vector<MeasuredStatistic> statistics_of_all(const std::vector<StoredRun>& runs) {
+  std::vector<MeasuredStatistic> all = runs.front().statistics;
+  for (const StoredRun& run : runs) {
+    for (const MeasuredStatistic& each : run.statistics) {
+      const auto is_of_part = [&](const MeasuredStatistic& a) { return a.kind == each.kind && a.light == each.light; };
+      const auto is_same = [&](const MeasuredStatistic& a) { return is_of_part(a) && a.name == each.name; };
+      if (std::ranges::any_of(all, is_same)) continue;
+      const auto last = std::find_if(all.rbegin(), all.rend(), is_of_part);
+      all.insert(last == all.rend() ? all.end() : last.base(), each);
+    }
+  }
+  return all;
+}
+
 ComparedValue value_of_run(const std::vector<StoredRun>& runs, std::size_t index, const MeasuredStatistic& measured) {
   ComparedValue value{index, measured};
   if (const std::optional<BlockEstimate> over_blocks = estimate_over_blocks(runs[index], measured)) {
-    value.half_width = 0.5 * (over_blocks->estimate.upper - over_blocks->estimate.lower);
+    value.half_width = over_blocks->half_width;
+    value.noise = over_blocks->added;
     value.interval = IntervalOf::pixels;
   } else if (measured.half_width > 0.0) {
     value.half_width = measured.half_width;
@@ -43,18 +59,18 @@ void compare_to(const ComparedValue& base, const std::vector<StoredRun>& runs, C
   const auto paired = paired_difference(runs[base.run], base.measured, runs[value.run], value.measured);
   // Means differ by rounding where the sums have another order. Equal ones may come from images that differ.
   const double rounding = 1e-12 * std::abs(base.measured.value);
-  const bool have_equal_blocks = !paired || paired->estimate.upper - paired->estimate.lower <= 2.0 * rounding;
+  const bool have_equal_blocks = !paired || paired->half_width <= rounding;
   if (std::abs(difference) <= rounding && have_equal_blocks) {
     value.difference = {};
     value.verdict = Verdict::equal;
     return;
   }
   if (paired) {
-    value.difference = paired->estimate;
+    value.difference = paired->interval();
     value.blocks = paired->blocks;
   } else if (base.interval != IntervalOf::nothing && value.interval != IntervalOf::nothing) {
     const double half_width = std::hypot(base.half_width, value.half_width);
-    value.difference = {difference, difference - half_width, difference + half_width};
+    value.difference = {difference, difference - half_width - value.noise, difference + half_width + base.noise};
     if (base.interval == IntervalOf::rays || value.interval == IntervalOf::rays) {
       value.verdict = Verdict::rays_only;
       return;
@@ -116,21 +132,25 @@ std::vector<std::string> shortened(const std::vector<std::string>& values) {
 
 Estimate estimate_of(const ComparedValue& value) {
   const double number = value.measured.value;
-  const double lower = number - value.half_width;
+  const double lower = number - value.half_width - value.noise;
   return {number, can_be_negative(value.measured.name) ? lower : std::max(lower, 0.0), number + value.half_width};
 }
 
 std::vector<ComparedStatistic> compare_runs(const std::vector<StoredRun>& runs) {
   std::vector<ComparedStatistic> all;
-  for (const MeasuredStatistic& base : runs.front().statistics) {
-    const KnownStatistic* known = find_known(base.kind, base.name);
-    ComparedStatistic compared{base.kind, base.light, base.name, base.unit, known != nullptr && known->is_error, {}};
-    compared.values.push_back(value_of_run(runs, 0, base));
-    for (std::size_t i = 1; i < runs.size(); ++i) {
-      const MeasuredStatistic* measured = find_same(runs[i], base);
+  for (const MeasuredStatistic& first : statistics_of_all(runs)) {
+    const KnownStatistic* known = find_known(first.kind, first.name);
+    ComparedStatistic compared{first.kind, first.light, first.name, first.unit, known != nullptr && known->is_error,
+                               {}};
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const MeasuredStatistic* measured = find_same(runs[i], first);
       if (measured == nullptr) continue;
       ComparedValue value = value_of_run(runs, i, *measured);
-      compare_to(compared.values.front(), runs, value);
+      if (i > 0 && (compared.values.empty() || compared.values.front().run > 0)) {
+        value.verdict = Verdict::no_base;
+      } else if (i > 0) {
+        compare_to(compared.values.front(), runs, value);
+      }
       compared.values.push_back(std::move(value));
     }
     all.push_back(std::move(compared));
@@ -141,6 +161,7 @@ std::vector<ComparedStatistic> compare_runs(const std::vector<StoredRun>& runs) 
 std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs) {
   std::vector<std::string> limits;
   const StoredRun& base = runs.front();
+  const std::vector<MeasuredStatistic> everything = statistics_of_all(runs);
   for (const StoredRun& run : runs) {
     if (run.scene != base.scene) {
       throw Error(ExitCode::usage, "report " + run.name,
@@ -174,7 +195,7 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
       limits.push_back(fmt::format("{} has another reference than {} ({}): differences include that of the references",
                                    run.name, base.name, other_reference));
     }
-    for (const MeasuredStatistic& measured : base.statistics) {
+    for (const MeasuredStatistic& measured : everything) {
       if (measured.name != pixels_statistic || find_same(run, measured) != nullptr) continue;
       limits.push_back(fmt::format(
           "{} did not measure {}", run.name,

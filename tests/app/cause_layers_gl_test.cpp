@@ -104,8 +104,8 @@ TEST_F(CauseLayers, Give_a_filtered_map_intervals_and_paired_differences_of_its_
   const std::optional<BlockEstimate> estimate = estimate_over_blocks(stored, measured);
   ASSERT_TRUE(estimate);
   EXPECT_EQ(estimate->blocks, without.size());
-  EXPECT_NEAR(estimate->estimate.value, all.share / all.pixels, 1e-7);
-  EXPECT_NEAR(estimate->estimate.upper - estimate->estimate.value, half_width, 1e-9);
+  EXPECT_NEAR(estimate->value, all.share / all.pixels, 1e-7);
+  EXPECT_NEAR(estimate->half_width, half_width, 1e-9);
 
   const StoredRun other = box("other", "0.4texels");
   for (const char* cause : causes) {

@@ -102,10 +102,12 @@ StoredRun run_of(Stages& stages, const Experiment& experiment, SweptQuantity qua
   if (quantity == SweptQuantity::ao) {
     measurement.ao = measure_ao(stages, experiment, {});
     measured.kind = "ao";
+    measured.degrees_of_freedom = measurement.ao->truth->degrees_of_freedom;
     statistics = *measurement.ao->statistics;
   } else {
     measurement.shadows.push_back(measure_shadow(stages, experiment, 0, {}));
     measured.kind = "shadow";
+    measured.degrees_of_freedom = measurement.shadows.front().truth->degrees_of_freedom;
     measured.light = stages.title(0);
     run.layers[measured.light] = stages.layer(0);
     std::visit([&](const auto& each) { statistics = each; }, *measurement.shadows.front().statistics);
@@ -121,55 +123,89 @@ StoredRun run_of(Stages& stages, const Experiment& experiment, SweptQuantity qua
   return run;
 }
 
-void print_about_mean(const std::string& name, const std::string& statistic, const std::vector<Estimate>& estimates) {
-  double mean = 0.0;
-  for (const Estimate& each : estimates) mean += each.value / static_cast<double>(estimates.size());
-  print_row(name, statistic, estimates, mean);
+// Intervals of single views, and the mean of the answers of all views. Noise raises an absolute error, so that answers
+// are of many rays.
+struct OfViews {
+  std::vector<Estimate> estimates;
+  double sum = 0.0;
+  int answers = 0;
+};
+
+void print_about_mean(const std::string& name, const std::string& statistic, const OfViews& of) {
+  print_row(name, statistic, of.estimates, of.sum / of.answers);
+}
+
+Experiment of_view(Stages& stages, const Experiment& given, int view) {
+  Experiment experiment = stages.in_metres(given);
+  experiment.view.camera = std::to_string(view);
+  return experiment;
+}
+
+Experiment with_many_rays(Experiment experiment) {
+  experiment.truth.spp = 1024;
+  return experiment;
 }
 
 // As `report` compares two runs of each view.
 void measure_report(const Case& of, Stages& stages, int views) {
-  std::map<std::string, std::vector<Estimate>> values, differences;
+  std::map<std::string, OfViews> values, differences;
   for (int view = 0; view < views; ++view) {
-    std::vector<StoredRun> runs;
+    std::vector<StoredRun> runs, exact;
+    // One reference after the other, of which one is kept.
     for (const Experiment& given : {of.first, of.second}) {
-      Experiment experiment = stages.in_metres(given);
-      experiment.view.camera = std::to_string(view);
-      runs.push_back(run_of(stages, experiment, of.quantity));
+      runs.push_back(run_of(stages, of_view(stages, given, view), of.quantity));
     }
-    for (const ComparedStatistic& each : compare_runs(runs)) {
+    for (const Experiment& given : {of.first, of.second}) {
+      exact.push_back(run_of(stages, with_many_rays(of_view(stages, given, view)), of.quantity));
+    }
+    const std::vector<ComparedStatistic> answers = compare_runs(exact);
+    const std::vector<ComparedStatistic> compared = compare_runs(runs);
+    const auto add = [](OfViews& all, const Estimate& estimate, double answer) {
+      all.estimates.push_back(estimate);
+      all.sum += answer;
+      ++all.answers;
+    };
+    for (std::size_t i = 0; i < compared.size(); ++i) {
+      const ComparedStatistic& each = compared[i];
+      const std::vector<ComparedValue>& answer = answers[i].values;
       const ComparedValue& first = each.values.front();
-      const double value = first.measured.value;
       if (first.interval == IntervalOf::pixels) {
-        values[each.name].push_back({value, value - first.half_width, value + first.half_width});
+        add(values[each.name], estimate_of(first), answer.front().measured.value);
       }
       if (each.values.size() > 1 && each.values[1].blocks > 0) {
-        differences[each.name].push_back(each.values[1].difference);
+        add(differences[each.name], each.values[1].difference, answer[1].measured.value - answer[0].measured.value);
       }
     }
   }
-  for (const auto& [name, estimates] : values) print_about_mean(fmt::format("report: {}", of.name), name, estimates);
-  for (const auto& [name, estimates] : differences) {
-    print_about_mean(fmt::format("report, difference: {}", of.name), name, estimates);
+  for (const auto& [name, each] : values) print_about_mean(fmt::format("report: {}", of.name), name, each);
+  for (const auto& [name, each] : differences) {
+    print_about_mean(fmt::format("report, difference: {}", of.name), name, each);
   }
 }
 
 // As `tune` judges two points in one view.
 void measure_tune(const Case& of, Stages& stages, int views) {
   const TuneGoal goal = make_goal("mae + 0.5*rmse", {}, of.quantity == SweptQuantity::ao ? "ao" : "shadow", {}, false);
-  std::vector<Estimate> costs, differences;
+  OfViews costs, differences;
   for (int view = 0; view < views; ++view) {
-    std::vector<CaseValues> values[2];
+    std::vector<CaseValues> values[2], answers[2];
     LeftOutBlocks blocks[2];
     for (const int point : {0, 1}) {
-      Experiment experiment = stages.in_metres(point == 0 ? of.first : of.second);
-      experiment.view.camera = std::to_string(view);
+      const Experiment experiment = of_view(stages, point == 0 ? of.first : of.second, view);
       const TuneCase tuned{&stages, experiment, of.quantity, 0, {}};
       values[point].push_back(measure_case(tuned, experiment, goal));
       blocks[point].push_back(measure_without_blocks(tuned, experiment, goal));
     }
-    costs.push_back(*cost_interval(goal, values[0], blocks[0]));
-    differences.push_back(*cost_difference(goal, values[0], blocks[0], values[1], blocks[1]));
+    for (const int point : {0, 1}) {
+      const Experiment experiment = with_many_rays(of_view(stages, point == 0 ? of.first : of.second, view));
+      answers[point].push_back(measure_case({&stages, experiment, of.quantity, 0, {}}, experiment, goal));
+    }
+    costs.estimates.push_back(*cost_interval(goal, values[0], blocks[0]));
+    costs.sum += total_cost(goal, answers[0]);
+    differences.estimates.push_back(*cost_difference(goal, values[0], blocks[0], values[1], blocks[1]));
+    differences.sum += total_cost(goal, answers[0]) - total_cost(goal, answers[1]);
+    ++costs.answers;
+    ++differences.answers;
   }
   print_about_mean(fmt::format("tune: {}", of.name), goal.text, costs);
   print_about_mean(fmt::format("tune, difference: {}", of.name), goal.text, differences);

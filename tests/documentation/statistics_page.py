@@ -14,7 +14,7 @@ SECTIONS = {
     "visibility": "`shadows[].statistics` if the light has no extent and the technique is a sum of depth comparisons.",
     "edges": "`shadows[].statistics` if the light has no extent and the technique has no taps (filtered maps, screen space). "
              "The distance is that to the [shadow edges](shadow-error.md#distance-to-the-shadow-edges): [Techniques without taps](shadow-error.md#techniques-without-taps).",
-    "soft_visibility": "`shadows[].statistics` if the light has an area.",
+    "soft_visibility": "`shadows[].statistics` if the light has an area or `truth.shadow` is `pixel`.",
     "ao": "`ao.statistics`.",
     "ao_stages": "`ao.stages.statistics` and `ao_stages.csv`, with `--run.ao-stages true`: [AO by stage](ambient-occlusion/stages.md).",
     "image": "`image.statistics`, with `--measure image`: [The shaded image](shading.md).",
