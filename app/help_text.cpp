@@ -111,8 +111,7 @@ std::string help_text(const CommandHelp& command, bool all) {
   text += options_text(command.options, all, [&](const OptionHelp& option) { return all || option.is_basic; });
   const auto hidden = std::ranges::count_if(command.options, [](const OptionHelp& option) { return !option.is_basic; });
   if (!all && hidden > 0) {
-    text +=
-        "\n'umbrameter " + command.name + " --help-all' lists all parameters (" + std::to_string(hidden) + " more).\n";
+    text += "\n'umbrameter " + command.name + " --help-all' lists all options (" + std::to_string(hidden) + " more).\n";
   }
   return command.example.empty() ? text : text + "\n" + command.example + "\n";
 }

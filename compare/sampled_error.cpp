@@ -162,7 +162,8 @@ SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom) {
   statistics.mean_truth.lower = std::max(statistics.mean_truth.lower, 0.0);
   statistics.mean_error = around(total.error * scale);
   statistics.mae = around(total.absolute * scale);
-  statistics.mae.lower = std::max(statistics.mae.lower - total.absolute_bias * scale, 0.0);
+  statistics.mae_noise = total.absolute_bias * scale;
+  statistics.mae.lower = std::max(statistics.mae.lower - statistics.mae_noise, 0.0);
   const auto part = [&](double sum, const PartSums& sums) {
     const Estimate estimate = estimate_part(sum, sums, degrees_of_freedom, unseen);
     return Estimate{estimate.value * scale, estimate.lower * scale, estimate.upper * scale};

@@ -23,7 +23,9 @@ struct SampledError {
   double mean_raster = 0.0;
   Estimate mean_truth;
   Estimate mean_error;  ///< raster − truth: below 0 too dark, above 0 too bright
-  Estimate mae;   ///< mean |raster − truth|; noise of the truth can only raise it; the lower bound allows for it
+  Estimate mae;  ///< mean |raster − truth|; noise of the truth can only raise it; the lower bound allows for it
+  /// The most that noise of the truth may have added to mae, but for chance; to too_dark and too_bright half as much.
+  double mae_noise = 0.0;
   Estimate rmse;  ///< corrected for the variance of the truth
   /// Means of max(truth − raster, 0) and max(raster − truth, 0); mae = too_dark + too_bright. Noise of the truth can
   /// only raise either. The lower bounds allow for about twice the amount that noise may have added.

@@ -110,7 +110,8 @@ void add_penumbra(SoftVisibilityStatistics& statistics, const Image<float>& rast
   statistics.penumbra_mae = estimate(mean, 1.0 / sums.weight, 0.0,
                                      [mean](const PenumbraPixel& p) { return p.error_slope - mean * p.weight_slope; });
   Estimate& error = statistics.penumbra_mae;
-  error.lower = std::max(error.lower - sums.excess / sums.weight, 0.0);
+  statistics.penumbra_noise = sums.excess / sums.weight;
+  error.lower = std::max(error.lower - statistics.penumbra_noise, 0.0);
 }
 
 }  // namespace

@@ -28,10 +28,11 @@ inline double penumbra_error(double raster, double visibility, double variance) 
 }
 
 struct SoftVisibilityStatistics {
-  SampledError error;       ///< over the counted pixels
-  Estimate penumbra;        ///< mean penumbra weight of the counted pixels
-  Estimate penumbra_mae;    ///< mean |raster − truth|, each pixel with its penumbra weight; 0 without a penumbra
-  double mean_texel = 0.0;  ///< mean side of a texel at the counted surfels, metres
+  SampledError error;           ///< over the counted pixels
+  Estimate penumbra;            ///< mean penumbra weight of the counted pixels
+  Estimate penumbra_mae;        ///< mean |raster − truth|, each pixel with its penumbra weight; 0 without a penumbra
+  double penumbra_noise = 0.0;  ///< the most that noise of the truth may have added to penumbra_mae, but for chance
+  double mean_texel = 0.0;      ///< mean side of a texel at the counted surfels, metres
 };
 
 /// The images have the same size. Surfels that face only a part of the light other than its centre also count, even if

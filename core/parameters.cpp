@@ -278,7 +278,8 @@ std::string Parameter::limits() const {
                  [&](Size*) { return "WIDTHxHEIGHT, each " + range("an integer"); },
                  [&](const ChoiceRef& choice) {
                    std::string names = join_or(choice.names);
-                   for (const auto& [alias, name] : description.aliases) names += "; " + alias + " means " + name;
+                   for (const auto& [alias, name] : description.aliases)
+                     names += "; the word " + alias + " means " + name;
                    return names;
                  },
                  [&](Length*) {

@@ -85,9 +85,8 @@ std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
 
 std::string average_text(LengthUnit unit) {
   return fmt::format(
-      "The errors are those of the bias in {}. In another unit it differs from pixel to pixel; the average, set for "
-      "all "
-      "pixels, has another error.",
+      "The errors hold for the bias in {}. In the other units one such bias is a different number in each pixel, and "
+      "the table has its average: entered as a bias, that number gives another error.",
       unit == LengthUnit::metres   ? "metres"
       : unit == LengthUnit::texels ? "texels"
                                    : "the map's depth");

@@ -213,6 +213,7 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   const TuneGoal& goal = summary.goal;
   std::string best = "best";
   const char* where_kept = goal.constraints.empty() ? "" : " where the constraints are kept";
+  const char* such = goal.constraints.empty() ? " cost" : " such cost";
   const bool has_cases = summary.cases.size() > 1;
   const std::string of_cases = of_cases_text(goal, summary.cases.size());
   if (result.withheld) {
@@ -220,13 +221,18 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     best = "best point, whose bias is not recommended";
   } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
+    const std::string at_others = summary.axes.size() > 1 ? ", at these other values," : "";
+    const std::string good =
+        result.plateau->is_by_pixels
+            ? fmt::format("have at most {} wrong pixels more than the least{}", chance_pixels, such)
+            : fmt::format("cost at most 5 % more than the least{}", such);
     answers.push_back(fmt::format(
-        "use {}: {} {}{}, acne {}{}; {}of the biases within {} of the least cost{}, the smallest with acne of "
-        "at most 0.1 % in every case of the search: a larger one detaches shadows that these views may not "
-        "show",
+        "use {}: {} {}{}, acne {}{}. Among the constant biases that{} {}{}, this is the smallest with acne of at most "
+        "0.1 %{}; a larger one detaches shadows that these views may not show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
-        has_cases ? "at most " : "", percent(used.acne), summary.axes.size() > 1 ? "with the other values kept, " : "",
-        result.plateau->is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : std::string("5 %"), where_kept));
+        has_cases ? "at most " : "", percent(used.acne), at_others,
+        goal.constraints.empty() ? "" : "keep the constraints and ", good,
+        has_cases ? " in every case of the search" : ""));
     best = std::string("best point, of least cost") + where_kept;
   }
   // With the digits of the other points, so that it reads as the smallest.

@@ -52,6 +52,13 @@ std::string cost_text(const TuneGoal& goal, double value, const std::optional<Es
 std::string difference_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval,
                             const char* points) {
   std::string text = cost_text(goal, value, interval);
+  if (text.find(" to ") != std::string::npos) {
+    // A range does not show the value.
+    const std::string plain = cost_text(goal, value);
+    const std::string number = plain.substr(0, plain.find(' '));
+    const std::string unit = plain.substr(number.size());
+    text = fmt::format("{} ({}){}", number, text.substr(0, text.size() - unit.size()), unit);
+  }
   if (text.ends_with('%')) text.replace(text.size() - 1, 1, points);
   return text;
 }

@@ -137,6 +137,17 @@ CaseValues values_of(const Drawn& drawn, const TuneCase& tuned, const TuneGoal& 
   return values;
 }
 
+// The most that noise of the reference may have added to a statistic, but for chance.
+double noise_in(const CellStatistics& statistics, const std::string& name) {
+  const auto* const soft = std::get_if<SoftVisibilityStatistics>(&statistics);
+  const auto* const ao = std::get_if<AoStatistics>(&statistics);
+  const SampledError* const error = soft != nullptr ? &soft->error : ao != nullptr ? &ao->error : nullptr;
+  if (error == nullptr) return 0.0;
+  if (name == "mae") return error->mae_noise;
+  if (name == "false_blocked" || name == "false_lit") return 0.5 * error->mae_noise;
+  return soft != nullptr && name == "penumbra_mae" ? soft->penumbra_noise : 0.0;
+}
+
 void set_time(CaseValues& values, const TuneGoal& goal, double time) {
   for (std::size_t c = 0; c < values.size(); ++c) {
     if (goal.columns[c].name == pass_time_statistic) values[c] = time;
@@ -221,6 +232,8 @@ BlocksOfCase measure_without_blocks(const TuneCase& tuned, const Experiment& exp
     if (drawn.images.is_counted(i)) is_used[static_cast<std::size_t>(block_of(i))] = true;
   }
   if (std::ranges::count(is_used, true) < 2) return blocks;
+  const CellStatistics all = drawn.compared.statistics({});
+  blocks.noise = mapped(goal.columns, [&](const Column& column) { return noise_in(all, column.name); });
   for (int block = 0; block < block_grid * block_grid; ++block) {
     if (!is_used[static_cast<std::size_t>(block)]) continue;
     blocks.without.push_back(values_of(drawn, tuned, goal, [&](std::size_t i) { return block_of(i) == block; }));

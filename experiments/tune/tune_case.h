@@ -45,6 +45,9 @@ std::vector<CaseValues> measure_biases_of(const TuneCase& tuned, const Experimen
 /// The goal's columns over all pixels of a case but those of one block, for each block.
 struct BlocksOfCase {
   std::vector<CaseValues> without;
+  /// The most that noise of the reference may have added to each column over all pixels, which it can to absolute
+  /// errors; empty: to none.
+  CaseValues noise{};
   std::vector<BlockPlace> places{};  ///< of the blocks; empty: they are independent
 };
 

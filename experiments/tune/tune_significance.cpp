@@ -36,6 +36,26 @@ double cost(const TuneGoal& goal, std::vector<CaseValues> cases, std::size_t rep
   return total_cost(goal, cases);
 }
 
+// How far the cost can lie below and above what was measured, because noise of the reference may have raised columns.
+struct NoiseReach {
+  double below = 0.0;
+  double above = 0.0;
+};
+
+NoiseReach noise_reach(const TuneGoal& goal, const std::vector<CaseValues>& cases, const LeftOutBlocks& blocks) {
+  std::vector<CaseValues> least = cases;
+  std::vector<CaseValues> most = cases;
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    for (std::size_t column = 0; column < blocks[c].noise.size(); ++column) {
+      double weight = 0.0;
+      for (const TuneTerm& term : goal.terms) weight += term.column == column ? term.weight : 0.0;
+      (weight > 0.0 ? least : most)[c][column] -= blocks[c].noise[column];
+    }
+  }
+  const double measured = total_cost(goal, cases);
+  return {measured - total_cost(goal, least), total_cost(goal, most) - measured};
+}
+
 }  // namespace
 
 LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoal& goal,
@@ -53,7 +73,11 @@ std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<Ca
   std::optional<Estimate> interval = jackknife(total_cost(goal, cases), blocks, [&](std::size_t c, std::size_t b) {
     return cost(goal, cases, c, blocks[c].without[b]);
   });
-  if (interval && !has_negative_costs(goal)) interval->lower = std::max(interval->lower, 0.0);
+  if (!interval) return interval;
+  const NoiseReach noise = noise_reach(goal, cases, blocks);
+  interval->lower -= noise.below;
+  interval->upper += noise.above;
+  if (!has_negative_costs(goal)) interval->lower = std::max(interval->lower, 0.0);
   return interval;
 }
 
@@ -63,9 +87,16 @@ std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<
   for (std::size_t c = 0; c < blocks_a.size(); ++c) {
     if (blocks_a[c].without.size() != blocks_b[c].without.size()) return std::nullopt;
   }
-  return jackknife(total_cost(goal, a) - total_cost(goal, b), blocks_a, [&](std::size_t c, std::size_t block) {
+  const double difference = total_cost(goal, a) - total_cost(goal, b);
+  std::optional<Estimate> interval = jackknife(difference, blocks_a, [&](std::size_t c, std::size_t block) {
     return cost(goal, a, c, blocks_a[c].without[block]) - cost(goal, b, c, blocks_b[c].without[block]);
   });
+  if (!interval) return interval;
+  const NoiseReach of_a = noise_reach(goal, a, blocks_a);
+  const NoiseReach of_b = noise_reach(goal, b, blocks_b);
+  interval->lower -= of_a.below + of_b.above;
+  interval->upper += of_a.above + of_b.below;
+  return interval;
 }
 
 }  // namespace umbrameter

@@ -19,8 +19,9 @@ LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoa
                                const std::function<Experiment(const TuneCase&)>& at);
 
 /// The cost of all cases with its 95 % interval, which covers the choice of pixels and the noise of the reference's
-/// rays: these differ from pixel to pixel. It does not cover that the point was chosen for its cost. Nothing where a
-/// case has no blocks.
+/// rays: these differ from pixel to pixel. Noise can only raise an absolute error, and the interval also holds the cost
+/// without what it may have added. It does not cover that the point was chosen for its cost. Nothing where a case has
+/// no blocks.
 std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<CaseValues>& cases,
                                       const LeftOutBlocks& blocks);
 

@@ -229,6 +229,10 @@ TEST_F(Tune, Of_ambient_occlusion_goes_through_all_combinations_where_these_are_
       tuning("ao", {"--vary", "ao.samples=4,16", "--vary", "ao.blur-size=2,4,8", "--constraint", "ao.samples<=8"});
   EXPECT_EQ(tuned["method"], "all 6 combinations");
   EXPECT_EQ(tuned["best"]["values"]["ao.samples"], 4);
+  // 16 rays leave noise, which can only have raised the cost.
+  const double cost = tuned["best"]["cost"];
+  const Json& interval = tuned["best"]["cost_95"];
+  EXPECT_GT(cost - interval["lo"].get<double>(), 1.1 * (interval["hi"].get<double>() - cost));
 }
 
 TEST_F(Tune, Search_starts_at_the_default_although_its_unit_depends_on_the_scene) {

@@ -200,6 +200,25 @@ TEST(CostDifference, Of_points_that_differ_alike_in_every_block_is_significant) 
   EXPECT_FALSE(cost_interval(mae, {{0.5}}, {{}}).has_value());
 }
 
+TEST(CostDifference, Holds_costs_without_what_noise_may_have_added) {
+  const LeftOutBlocks exact = {{{{0.5}, {0.6}, {0.4}, {0.5}}}};
+  LeftOutBlocks noisy = exact;
+  noisy.front().noise = {0.1};
+  const auto expect = [&](const TuneGoal& of, double below, double above) {
+    const Estimate before = *cost_difference(of, {{0.5}}, exact, {{0.5}}, exact);
+    const Estimate of_first = *cost_difference(of, {{0.5}}, noisy, {{0.5}}, exact);
+    EXPECT_NEAR(before.lower - of_first.lower, below, 1e-12);
+    EXPECT_NEAR(of_first.upper - before.upper, above, 1e-12);
+    const Estimate of_second = *cost_difference(of, {{0.5}}, exact, {{0.5}}, noisy);
+    EXPECT_NEAR(before.lower - of_second.lower, above, 1e-12);
+    EXPECT_NEAR(of_second.upper - before.upper, below, 1e-12);
+    const Estimate alone = *cost_interval(of, {{0.5}}, noisy);
+    EXPECT_NEAR(cost_interval(of, {{0.5}}, exact)->lower - alone.lower, below, 1e-12);
+  };
+  expect(goal("0.5*mae"), 0.05, 0.0);
+  expect(goal("-2*mae"), 0.0, 0.2);
+}
+
 // The cost of each block of a case is drawn uniformly from 0 to 1, but in most blocks there is little to measure:
 // block k weighs 1 / (k + 1). The point b costs 0.9 of that, and up to 0.05 more by chance.
 TEST(CostDifference, Has_an_interval_that_holds_it_95_times_in_100_for_few_blocks_and_for_many) {
