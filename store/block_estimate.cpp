@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "compare/error_sums.h"
@@ -244,7 +245,8 @@ std::array<double, 2> uncommon_excess(const StoredImages& a, const StoredImages&
   for (std::size_t i = 0; i < a.error->size(); ++i) {
     const std::array<PixelValues, 2> values = {values_at(a, i), values_at(b, i)};
     const bool is_shared = values[0].truth == values[1].truth && values[0].variance == values[1].variance;
-    const double most = is_shared ? std::abs(values[1].error - values[0].error) : 1.0;
+    const double most =
+        is_shared ? std::abs(values[1].error - values[0].error) : std::numeric_limits<double>::infinity();
     for (std::size_t run = 0; run < 2; ++run) {
       if (!is_counted(run == 0 ? a : b, i)) continue;
       sums[run] += mean.of_excess(values[run]) * std::min(values[run].excess, most);
