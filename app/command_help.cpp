@@ -62,7 +62,7 @@ OptionHelp option_help(const CLI::Option& option, const Parameters& parameters) 
     help.range = range_text(description);
   }
   for (const auto& [alias, name] : description.aliases) {
-    help.aliases += (help.aliases.empty() ? "the word " : "; the word ") + alias + " means " + name;
+    help.aliases += (help.aliases.empty() ? "" : "; ") + alias + " is accepted for " + name;
   }
   return help;
 }

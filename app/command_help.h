@@ -19,7 +19,7 @@ struct OptionHelp {
   std::string range;                 ///< "1 to 16384"; empty for no limits
   std::string default_value;         ///< empty for none
   std::vector<std::string> choices;  ///< the words that are allowed; empty where it is not a choice
-  std::string aliases;               ///< "the word pcf means box"
+  std::string aliases;               ///< "pcf is accepted for box"
   std::string group;                 ///< heading
   bool is_positional = false;
   bool is_parameter = false;

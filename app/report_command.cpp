@@ -13,6 +13,7 @@
 #include "core/lists.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
+#include "present/plateau_text.h"
 #include "present/presentation_parts.h"
 #include "present/run_output.h"
 #include "present/runs_report.h"
@@ -213,7 +214,8 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     section.text = has_intervals
                        ? "95 % intervals cover the choice of pixels and the noise of the reference: blocks of pixels "
                          "are left out in turn."
-                       : "These errors have no 95 % intervals.";
+                       : "These errors have no 95 % intervals" +
+                             (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
     if (part.has_noise) {
       section.text +=
           " Noise can only raise an absolute error: its interval also holds what it would be without, and so do those "

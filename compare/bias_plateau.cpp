@@ -31,6 +31,12 @@ ConnectedRange connected_range(std::span<const double> values, std::size_t insid
   return range;
 }
 
+PlateauLimit limit_of_plateau(double least, std::uint64_t pixels, std::optional<double> floor) {
+  const double of_share = std::max(plateau_limit(floor.value_or(least)), least);
+  const double of_pixels = pixels > 0 ? least + chance_pixels / static_cast<double>(pixels) : of_share;
+  return {std::max(of_share, of_pixels), of_pixels > of_share};
+}
+
 std::optional<BiasPlateau> plateau_of(std::span<const BiasCell> cells, std::optional<double> floor,
                                       std::uint64_t pixels) {
   assert(is_ascending(cells));
@@ -38,13 +44,11 @@ std::optional<BiasPlateau> plateau_of(std::span<const BiasCell> cells, std::opti
   std::vector<double> errors;
   for (const BiasCell& cell : cells) errors.push_back(cell.mae);
   const auto least = static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin());
-  const double of_share = std::max(plateau_limit(floor.value_or(errors[least])), errors[least]);
-  const double of_pixels = pixels > 0 ? errors[least] + chance_pixels / static_cast<double>(pixels) : 0.0;
-  const double limit = std::max(of_share, of_pixels);
-  const ConnectedRange range = connected_range(errors, least, limit);
-  BiasPlateau plateau{cells[least], cells[range.first],  cells[range.last],
-                      cells[least], range.first == 0,    range.last + 1 == cells.size(),
-                      limit,        of_pixels > of_share};
+  const PlateauLimit limit = limit_of_plateau(errors[least], pixels, floor);
+  const ConnectedRange range = connected_range(errors, least, limit.error);
+  BiasPlateau plateau{cells[least], cells[range.first], cells[range.last],
+                      cells[least], range.first == 0,   range.last + 1 == cells.size(),
+                      limit.error,  limit.is_by_pixels};
   for (std::size_t i = range.first; i <= range.last; ++i) {
     if (cells[i].acne > little_acne_share) continue;
     plateau.recommended = cells[i];

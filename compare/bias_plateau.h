@@ -30,6 +30,15 @@ ConnectedRange connected_range(std::span<const double> values, std::size_t insid
 /// may be, with a probability of 5 %; where some are, more.
 inline constexpr double chance_pixels = 3.0;
 
+/// Errors up to it are as good as the least.
+struct PlateauLimit {
+  double error = 0.0;
+  bool is_by_pixels = false;  ///< chance_pixels are more than plateau_tolerance
+};
+/// `pixels` are the counted pixels of errors that are shares of them; 0: the errors are no such shares. `floor` is an
+/// error that none is below, if not the least, in its place in the relative limit.
+PlateauLimit limit_of_plateau(double least, std::uint64_t pixels, std::optional<double> floor = {});
+
 /// The plateau of an error curve: the connected range of biases around the one of least error (of equals the smallest)
 /// whose error is at most 5 % above the least, relative to it, or chance_pixels, whichever is more. The
 /// reference is binary, so that the curve is exact and the range needs no interval.

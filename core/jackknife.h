@@ -20,6 +20,9 @@ struct BlockPlace {
   int row = 0;
 };
 
+/// With fewer blocks, the variance over them is too uncertain for an interval.
+inline constexpr std::size_t fewest_blocks = 20;
+
 /// Of a value from what it is without each of B blocks of the data: with d_b = θ_b − mean, Σ d_b², scaled so that its
 /// mean is that of the jackknife (B − 1)/B Σ σ_b². Blocks may be of different sizes. Delete-a-group jackknife
 /// (Quenouille 1956; Kott 2001).

@@ -279,7 +279,7 @@ std::string Parameter::limits() const {
                  [&](const ChoiceRef& choice) {
                    std::string names = join_or(choice.names);
                    for (const auto& [alias, name] : description.aliases)
-                     names += "; the word " + alias + " means " + name;
+                     names += "; " + alias + " is accepted for " + name;
                    return names;
                  },
                  [&](Length*) {

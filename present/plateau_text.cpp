@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/digits.h"
+#include "core/jackknife.h"
 #include "present/plot_axes.h"
 #include "results/number_text.h"
 
@@ -95,6 +96,11 @@ std::string average_text(LengthUnit unit) {
 std::string few_pixels_text(std::uint64_t counted) {
   if (counted >= enough_pixels) return {};
   return fmt::format(" (only {} counted pixel{})", counted, counted == 1 ? "" : "s");
+}
+
+std::string few_blocks_text(std::size_t blocks, const char* where) {
+  return fmt::format("counted pixels in {} block{} of {}, {} are needed", blocks, blocks == 1 ? "" : "s", where,
+                     fewest_blocks);
 }
 
 void add_plateau(nlohmann::ordered_json& object, const BiasPlateau& plateau, const BiasEvidence& evidence,

@@ -38,6 +38,9 @@ std::string average_text(LengthUnit unit);
 /// " (only 12 counted pixels)" where one pixel is more than 1 % of them; else nothing.
 std::string few_pixels_text(std::uint64_t counted);
 
+/// "counted pixels in 12 blocks of the image, 20 are needed": why there is no interval. `where` is "the image".
+std::string few_blocks_text(std::size_t blocks, const char* where = "the image");
+
 /// Adds "recommended", "withheld" and "range" to an object; `cell_json` gives a cell with its "constant_bias".
 void add_plateau(nlohmann::ordered_json& object, const BiasPlateau& plateau, const BiasEvidence& evidence,
                  std::optional<NoBias> withheld,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "present/plateau_text.h"
 #include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
@@ -65,8 +66,7 @@ std::string verdict_text(const ComparedValue& value) {
       return "not tested: the interval covers the rays only";
     case Verdict::no_interval:
       if (value.counted_blocks == 0) return "not tested: no interval";
-      return fmt::format("not tested: counted pixels in {} block{}, {} are needed", value.counted_blocks,
-                         value.counted_blocks == 1 ? "" : "s", fewest_blocks);
+      return "not tested: " + few_blocks_text(value.counted_blocks);
   }
   return "";
 }
@@ -199,6 +199,7 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
       if (each->is_error) errors.push_back(&*each);
       for (const ComparedValue& value : each->values) {
         part.has_noise = part.has_noise || value.noise > 0.0;
+        part.few_blocks = std::max(part.few_blocks, value.counted_blocks);
         part.all.rows.push_back({title_text(*each), shown_unit(each->unit), runs[value.run].name, compared_text(value),
                                  difference_text(value), verdict_text(value)});
       }
@@ -244,12 +245,12 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
       std::string line =
           fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, compared_text(value),
                       value.interval == IntervalOf::pixels ? " (95 % interval, over pixels and rays)" : "");
-      if (value.verdict == Verdict::base && value.counted_blocks > 0) {
-        line += fmt::format(" (no interval: counted pixels in {} block{} of the image, {} are needed)",
-                            value.counted_blocks, value.counted_blocks == 1 ? "" : "s", fewest_blocks);
+      const bool is_compared = value.verdict != Verdict::base && value.verdict != Verdict::no_base;
+      if (!is_compared && value.counted_blocks > 0) {
+        line += " (no interval: " + few_blocks_text(value.counted_blocks) + ")";
       } else if (value.verdict == Verdict::equal) {
         line += fmt::format("; equal to that of {}", runs.front().name);
-      } else if (value.verdict != Verdict::base && value.verdict != Verdict::no_base) {
+      } else if (is_compared) {
         line += fmt::format("; difference to {} {} percentage points ({})", runs.front().name,
                             interval_text(value.difference, 100.0), verdict_text(value));
       }

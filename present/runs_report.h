@@ -21,8 +21,9 @@ struct PartTables {
   /// For print, which has columns: one row for each error, named in words, one column for each run. Errors that no run
   /// has a value of are left out.
   Table printed_values;
-  Table printed_differences;  ///< to the first run, those with an interval; an asterisk where significant
-  bool has_noise = false;     ///< of the reference, which may have raised a value
+  Table printed_differences;   ///< to the first run, those with an interval; an asterisk where significant
+  bool has_noise = false;      ///< of the reference, which may have raised a value
+  std::size_t few_blocks = 0;  ///< that hold counted pixels, where they are too few for an interval; else 0
 };
 std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared);
 

@@ -175,15 +175,16 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {
+  // Taps of a filter have weights, so that only shares of the error can be named beside their number.
   std::string text =
       agreement.reclassified == 0
           ? fmt::format("ray tests confirmed the cause of all {} taps of false occlusion.", grouped(agreement.taps))
-          : fmt::format("ray tests reclassified {} of {} taps from false occlusion to acne ({} of all wrong taps).",
-                        grouped(agreement.reclassified), grouped(agreement.taps), percent(share_of_wrong(agreement)));
+          : fmt::format("ray tests of {} taps of false occlusion moved some to acne: {} of the error.",
+                        grouped(agreement.taps), percent(share_of_wrong(agreement)));
   if (agreement.on_own_layer > 0) {
     text += fmt::format(
-        " By ray tests the map holds no occluder in {} of the peter-panning, but the receiver's own surface, as in a "
-        "light leak; these taps stay peter-panning.",
+        " By ray tests {} of the peter-panning is light leak: where these taps read the map, it holds the receiver's "
+        "own surface and no occluder. They are counted as peter-panning all the same.",
         percent(share_on_own_layer(agreement)));
   }
   return text;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 
 #include "present/presentation_parts.h"
@@ -60,8 +61,9 @@ std::string edges_text(const ErrorShape& shape) {
   if (shape.outside_penumbra) {
     text += fmt::format(
         " {} of the error counts as outside the penumbra. Of a pixel's error, 4V(1 − V) counts as inside, V the "
-        "visibility of the reference: all of it where V is ½, none where V is 0 or 1. So 33 % is what an error within "
-        "the penumbra alone gives, if it is the same all over a linear one.",
+        "visibility of the reference: all of it where V is ½, none where V is 0 or 1. An error that is equal all over "
+        "a penumbra, in which V falls evenly from 1 to 0, therefore counts by a third as outside: only a larger share "
+        "shows errors elsewhere.",
         percent(*shape.outside_penumbra));
   }
   return text;
@@ -89,21 +91,28 @@ Table component_table(const ErrorShape& shape) {
 
 Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& casters) {
   std::vector<CasterShape> listed = casters;
-  std::ranges::stable_sort(
-      listed, [](const CasterShape& a, const CasterShape& b) { return a.contacts + a.edges > b.contacts + b.edges; });
+  const auto size_of = [](const CasterShape& each) { return each.contacts + each.edges + each.unmatched; };
+  std::ranges::stable_sort(listed, std::greater(), size_of);
   if (listed.size() > max_casters) listed.resize(max_casters);
-  const std::string gap = "lit strip between the foot of the caster and its shadow, ";
+  const std::string gap =
+      "lit strip between the foot of the caster and its shadow, at most as long as the shadow of "
+      "the reference, ";
   const std::string inset =
-      "how far the outline of the shadow lies inside that of the reference; negative: outside; median";
+      "how far the outline of the shadow lies inside that of the reference; negative: outside; median of the matched "
+      "edges";
   Table table{{{"caster", "", "object that casts the shadow; most pixels first"},
                {"contacts", "px",
                 "pixels where, in the image, the reference shadow begins beside the caster: a gap below about a pixel "
                 "counts, too"},
+               {"without shadow", "px",
+                "contacts at which the shadow of the reference ends before one begins: it is lost, and the gap is as "
+                "long as it"},
                {"median contact gap", "m", gap + "median"},
                {"median contact gap", "texels", gap + "median"},
                {"median contact gap", "px", gap + "median"},
                {"largest gap", "m", gap + "largest"},
-               {"edges", "px", "edges of the reference shadow"},
+               {"matched edges", "px", "edges of the reference shadow near which the shadow has one"},
+               {"without match", "px", "edges of the reference shadow without one"},
                {"median shadow inset", "m", inset},
                {"median shadow inset", "texels", inset},
                {"median shadow inset", "px", inset}},
@@ -113,9 +122,10 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
     const bool touches = caster.contacts > 0;
     const bool has_edges = caster.edges > 0;
     table.rows.push_back({scene.by_object.names[caster.object], static_cast<std::int64_t>(caster.contacts),
-                          cell(touches, caster.gap_median.metres), cell(touches, caster.gap_median.texels),
-                          cell(touches, caster.gap_median.pixels), cell(touches, caster.gap_largest.metres),
-                          static_cast<std::int64_t>(caster.edges), cell(has_edges, caster.inset_median.metres),
+                          static_cast<std::int64_t>(caster.lost), cell(touches, caster.gap_median.metres),
+                          cell(touches, caster.gap_median.texels), cell(touches, caster.gap_median.pixels),
+                          cell(touches, caster.gap_largest.metres), static_cast<std::int64_t>(caster.edges),
+                          static_cast<std::int64_t>(caster.unmatched), cell(has_edges, caster.inset_median.metres),
                           cell(has_edges, caster.inset_median.texels), cell(has_edges, caster.inset_median.pixels)});
   }
   return table;

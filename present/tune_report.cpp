@@ -213,7 +213,6 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   const TuneGoal& goal = summary.goal;
   std::string best = "best";
   const char* where_kept = goal.constraints.empty() ? "" : " where the constraints are kept";
-  const char* such = goal.constraints.empty() ? " cost" : " such cost";
   const bool has_cases = summary.cases.size() > 1;
   const std::string of_cases = of_cases_text(goal, summary.cases.size());
   if (result.withheld) {
@@ -221,17 +220,15 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     best = "best point, whose bias is not recommended";
   } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
-    const std::string at_others = summary.axes.size() > 1 ? ", at these other values," : "";
-    const std::string good =
-        result.plateau->is_by_pixels
-            ? fmt::format("have at most {} wrong pixels more than the least{}", chance_pixels, such)
-            : fmt::format("cost at most 5 % more than the least{}", such);
+    const std::string good = result.plateau->is_by_pixels
+                                 ? fmt::format("has at most {} wrong pixels more than the best of them", chance_pixels)
+                                 : std::string("costs at most 5 % more than the best of them");
     answers.push_back(fmt::format(
-        "use {}: {} {}{}, acne {}{}. Among the constant biases that{} {}{}, this is the smallest with acne of at most "
+        "use {}: {} {}{}, acne {}{}. Of the constant biases{}{}, this is the smallest that {} and has acne of at most "
         "0.1 %{}; a larger one detaches shadows that these views may not show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
-        has_cases ? "at most " : "", percent(used.acne), at_others,
-        goal.constraints.empty() ? "" : "keep the constraints and ", good,
+        has_cases ? "at most " : "", percent(used.acne), goal.constraints.empty() ? "" : " that keep the constraints",
+        summary.axes.size() > 1 ? " (with the same other values)" : "", good,
         has_cases ? " in every case of the search" : ""));
     best = std::string("best point, of least cost") + where_kept;
   }
@@ -245,8 +242,10 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
       : half_width == std::string::npos
           ? fmt::format("{} ({}: {})", plain, covers, range)
           : fmt::format("{}{} ({})", plain.substr(0, plain.find(' ')), range.substr(half_width), covers);
-  answers.push_back(fmt::format("{}: {}: {} {}{}", best, point_text(summary.axes, result.best.values), cost_words(goal),
-                                cost, of_cases));
+  const std::size_t few_blocks = summary.judgement.few_blocks;
+  answers.push_back(
+      fmt::format("{}: {}: {} {}{}{}", best, point_text(summary.axes, result.best.values), cost_words(goal), cost,
+                  of_cases, few_blocks > 0 ? " (no interval: " + few_blocks_text(few_blocks, "the images") + ")" : ""));
   if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
   answers.push_back(comparison(summary, "default", result.before, summary.judgement.against_before));
   if (result.runner_up) {
@@ -257,16 +256,17 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const HeldOut& held = *summary.judgement.held_out;
     const TuneGoal absolute = not_relative(goal);
     const TunePoint& checked = held.recommended ? *held.recommended : held.best;
-    answers.push_back(
-        fmt::format("held out ({}): {}default {} → {}; {}",
-                    held.cases.size() > 2
-                        ? fmt::format("{} cases: {}, …, {}", held.cases.size(), held.cases.front(), held.cases.back())
-                        : joined(held.cases, "; "),
-                    goal.is_relative ? cost_words(absolute) + ", " : "", held_text(absolute, held.before, held.cases),
-                    held_text(absolute, checked, held.cases),
-                    judged(absolute, held.recommended ? "the recommended point" : "the best point",
-                           held.recommended ? held.recommended_difference : held.difference,
-                           checked.score.cost - held.before.score.cost)));
+    answers.push_back(fmt::format(
+        "held out ({}): {}default {} → {}; {}",
+        held.cases.size() > 2
+            ? fmt::format("{} cases, from '{}' to '{}'", held.cases.size(), held.cases.front(), held.cases.back())
+            : joined(held.cases, "; "),
+        goal.is_relative ? cost_words(absolute) + ", " : "", held_text(absolute, held.before, held.cases),
+        held_text(absolute, checked, held.cases),
+        judged(absolute, held.recommended ? "the recommended point" : "the best point",
+               held.recommended ? held.recommended_difference : held.difference,
+               checked.score.cost - held.before.score.cost)));
+    if (held.few_blocks > 0) answers.back() += ": " + few_blocks_text(held.few_blocks, "the images");
     if (!checked.score.is_kept() && held.best.score.is_kept()) {
       answers.back() += fmt::format("; the best point keeps {} there, at {}",
                                     goal.constraints.size() == 1 ? "the constraint" : "the constraints",

@@ -22,7 +22,7 @@ std::string pair_text(const TuneAxis& axis, const Value& a, const Value& b, cons
   return first + between + second;
 }
 
-// The measured values next to the range: it ends somewhere before them. "; 0.0841 and 0.484 texels are outside".
+// The measured values next to the range: it ends somewhere before them. "; not 0.0841 and 0.484 texels, measured next".
 std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const std::pair<Value, Value>& range) {
   const TuneAxis& axis = summary.axes[scan.axis];
   const bool is_exact = summary.result.plateau && axis.key() == constant_bias_key;
@@ -34,8 +34,8 @@ std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const
     if (to_number(value) > to_number(range.second) && !above) above = value;
   }
   if (!below && !above) return {};
-  if (below && above) return fmt::format("; {} are outside", pair_text(axis, *below, *above, " and "));
-  return fmt::format("; {} is outside", value_text(axis, below ? *below : *above));
+  if (below && above) return fmt::format("; not {}, measured next", pair_text(axis, *below, *above, " and "));
+  return fmt::format("; not {}, measured next", value_text(axis, below ? *below : *above));
 }
 
 std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
@@ -44,8 +44,8 @@ std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
   if (!range) return "—";
   std::string ends = ends_text(axis, *range);
   if (!ends.empty()) ends = " (" + ends + ")";
+  if (summary.result.limit.is_by_pixels) ends = fmt::format("; within {} wrong pixels", chance_pixels) + ends;
   const std::optional<BiasPlateau>& plateau = summary.result.plateau;
-  if (plateau && plateau->is_by_pixels) ends = fmt::format("; within {} wrong pixels", chance_pixels) + ends;
   const std::string outside = outside_text(summary, scan, *range);
   if (range->first == range->second)
     return (!outside.empty()     ? ""
@@ -94,9 +94,7 @@ std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, 
     if (point.values[scan.axis] == summary.result.best.values[scan.axis]) inside = costs.size();
     costs.push_back(point.score.is_kept() ? point.score.cost : std::numeric_limits<double>::infinity());
   }
-  const double limit =
-      plateau && plateau->is_by_pixels ? plateau->limit : plateau_limit(summary.result.best.score.cost);
-  const ConnectedRange range = connected_range(costs, inside, limit);
+  const ConnectedRange range = connected_range(costs, inside, summary.result.limit.error);
   return std::pair{scan.points[range.first].values[scan.axis], scan.points[range.last].values[scan.axis]};
 }
 
@@ -106,9 +104,13 @@ Table sensitivity_table(const TuneSummary& summary) {
        {"axis", "", "values that were allowed"},
        {"best", "", "value of least cost"},
        {"within 5 %", "",
-        "range around it in which the cost is at most 5 % higher, or 3 wrong pixels where that is more: of a constant "
-        "bias from its whole curve where that was measured, else of the measured values; values that break a "
-        "constraint are outside"},
+        (summary.result.limit.is_by_pixels
+             ? fmt::format(
+                   "range around it in which the cost is at most {} wrong pixels higher, which is more than 5 %",
+                   chance_pixels)
+             : std::string("range around it in which the cost is at most 5 % higher")) +
+            ": of a constant bias from its whole curve where that was measured, else of the measured values; values "
+            "that break a constraint are outside"},
        {"highest measured", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};
   for (const AxisScan& scan : summary.result.scans) {

@@ -47,6 +47,7 @@ struct TuneResult {
   /// The best point with plateau->recommended in place of its constant bias; empty where no bias is recommended, each
   /// of the range leaves acne, or the best point has that bias itself.
   std::optional<TunePoint> recommended{};
+  PlateauLimit limit{};  ///< costs up to it are as good as that of the best point
   std::vector<AxisScan> scans;
   std::vector<WordPoint> of_words;  ///< for each axis of words and each of its values that was evaluated
   std::string method;               ///< "all 12 combinations", "DIRECT-L, then subplex"
@@ -71,11 +72,13 @@ struct HeldOut {
   std::optional<Estimate> difference{};              ///< best − default
   std::optional<TunePoint> recommended{};            ///< TuneResult::recommended here
   std::optional<Estimate> recommended_difference{};  ///< recommended − default
+  std::size_t few_blocks = 0;  ///< that hold counted pixels, where they are too few for an interval; else 0
 };
 
 struct TuneJudgement {
-  std::optional<Estimate> best;               ///< cost, with its interval
-  std::optional<Estimate> against_before;     ///< best − default
+  std::optional<Estimate> best;            ///< cost, with its interval
+  std::size_t few_blocks = 0;              ///< that hold counted pixels, where they are too few for an interval; else 0
+  std::optional<Estimate> against_before;  ///< best − default
   std::optional<Estimate> against_runner_up;  ///< best − runner-up
   std::vector<ComparedPoint> compared;        ///< the default, then the best point with each word, or the best point
   std::optional<HeldOut> held_out;

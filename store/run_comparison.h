@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/jackknife.h"
 #include "core/statistics.h"
 #include "core/table.h"
 #include "store/stored_run.h"
@@ -61,9 +62,6 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
 
 /// The parameters whose values differ, and these only: name, then a column for each run.
 Table differing_parameters(const std::vector<StoredRun>& runs);
-
-/// With fewer blocks, the variance over them is too uncertain for an interval.
-inline constexpr std::size_t fewest_blocks = 20;
 
 /// A statistic, or the difference of two runs, with its 95 % interval over the choice of pixels and the noise of the
 /// reference's rays: up to 8 × 8 blocks are left out in turn (jackknife_variance()).

@@ -42,6 +42,7 @@ HeldOut check_held_out(const JudgeInput& in) {
     return cost_difference(goal, point.cases, leave_out_blocks(in.unseen, goal, at), held.before.cases, of_before);
   };
   held.difference = difference(held.best, best);
+  held.few_blocks = few_blocks(of_before);
   if (in.result.recommended) {
     const AtCase recommended = at(in, in.result.recommended->values);
     held.recommended = measure(in.result.recommended->values, recommended);
@@ -66,6 +67,7 @@ TuneJudgement judge(const JudgeInput& in, const std::function<void(double)>& pro
   const AtCase best = at(in, result.best.values);
   const LeftOutBlocks of_best = leave_out_blocks(in.cases, in.goal, best);
   judgement.best = cost_interval(in.goal, result.best.cases, of_best);
+  judgement.few_blocks = few_blocks(of_best);
   step();
   const LeftOutBlocks of_before = leave_out_blocks(in.cases, in.goal, as_given());
   judgement.against_before = cost_difference(in.goal, result.best.cases, of_best, result.before.cases, of_before);

@@ -14,6 +14,7 @@ namespace {
 // their variances add up.
 std::optional<Estimate> jackknife(double value, const LeftOutBlocks& blocks,
                                   const std::function<double(std::size_t, std::size_t)>& value_without) {
+  if (few_blocks(blocks) > 0) return std::nullopt;
   double variance = 0.0;
   double squares = 0.0;  // of the cases' variances over their degrees of freedom
   for (std::size_t c = 0; c < blocks.size(); ++c) {
@@ -57,6 +58,12 @@ NoiseReach noise_reach(const TuneGoal& goal, const std::vector<CaseValues>& case
 }
 
 }  // namespace
+
+std::size_t few_blocks(const LeftOutBlocks& blocks) {
+  std::size_t count = 0;
+  for (const BlocksOfCase& each : blocks) count += each.without.size();
+  return count < fewest_blocks ? count : 0;
+}
 
 LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoal& goal,
                                const std::function<Experiment(const TuneCase&)>& at) {

@@ -14,6 +14,10 @@ namespace umbrameter {
 /// Of each case.
 using LeftOutBlocks = std::vector<BlocksOfCase>;
 
+/// The blocks of all cases that hold counted pixels, if they are fewer than fewest_blocks: there is no interval then.
+/// Else 0.
+std::size_t few_blocks(const LeftOutBlocks& blocks);
+
 /// `at` makes the experiment of a case.
 LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoal& goal,
                                const std::function<Experiment(const TuneCase&)>& at);
@@ -21,11 +25,11 @@ LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoa
 /// The cost of all cases with its 95 % interval, which covers the choice of pixels and the noise of the reference's
 /// rays: these differ from pixel to pixel. Noise can only raise an absolute error, and the interval also holds the cost
 /// without what it may have added. It does not cover that the point was chosen for its cost. Nothing where a case has
-/// no blocks.
+/// no blocks, and with few_blocks().
 std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<CaseValues>& cases,
                                       const LeftOutBlocks& blocks);
 
-/// Cost of `a` − cost of `b`, paired. Nothing where a case has no blocks.
+/// Cost of `a` − cost of `b`, paired. Nothing where a case has no blocks, and with few_blocks().
 std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<CaseValues>& a,
                                         const LeftOutBlocks& blocks_a, const std::vector<CaseValues>& b,
                                         const LeftOutBlocks& blocks_b);

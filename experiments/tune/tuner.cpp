@@ -40,6 +40,18 @@ BiasEvidence evidence_of(const TuneInput& in, const std::vector<Value>& values) 
   return all;
 }
 
+// Those of which the cost is a share, of which a few are chance; 0 of other costs.
+std::uint64_t pixels_of_cost(const TuneResult& result, const TuneInput& in) {
+  const bool is_share = result.goal.text == error_statistic && !result.goal.is_worst_case && !result.goal.is_relative;
+  std::uint64_t pixels = 0;
+  for (const TuneCase& each : in.cases) {
+    if (!is_share || each.quantity != SweptQuantity::visibility) return 0;
+    const auto counted = each.stages->counted(at_point(each, in.axes, result.best.values), each.light);
+    pixels += counted->totals[static_cast<std::size_t>(PixelExclusion::none)];
+  }
+  return pixels;
+}
+
 // The slope-scaled bias and, of the cases, the most acne of each cell.
 void add_acne(std::vector<BiasCell>& cells, const TuneInput& in, const std::vector<Value>& values) {
   const std::vector<double> constants = mapped(cells, &BiasCell::constant);
@@ -91,9 +103,7 @@ void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& 
   add_acne(cells, in, result.best.values);
   std::ranges::sort(cells, [](const BiasCell& a, const BiasCell& b) { return a.constant < b.constant; });
   result.evidence = evidence_of(in, result.best.values);
-  // Only this cost is a share of pixels, of which a few are chance.
-  const bool is_share = result.goal.text == error_statistic && !result.goal.is_worst_case && !result.goal.is_relative;
-  result.plateau = plateau_of(cells, {}, is_share ? result.evidence.pixels : 0);
+  result.plateau = plateau_of(cells, {}, pixels_of_cost(result, in));
   result.withheld = reason_against_on_axis(*result.plateau, result.evidence);
   if (result.withheld || !result.plateau->has_little_acne()) return;
   const auto recommended = std::ranges::find(constants, result.plateau->recommended.constant);
@@ -169,6 +179,7 @@ TuneResult tune(const TuneInput& input, TuneJournal& journal, const TuneProgress
   const SearchInput search{input.axes, input.goal, input.given, input.budget.evaluations, exact};
   TuneResult result = search_points(search, ask, progress);
   if (exact) find_plateau(result, input, measurer);
+  result.limit = limit_of_plateau(result.best.score.cost, pixels_of_cost(result, input));
   find_runner_up(result, input.axes);
   find_best_of_words(result, input);
   result.scans = scan_axes(search, result, ask);

@@ -130,7 +130,7 @@ class Keywords(TypedDict, total=False):
     shadow_technique: Literal['pcf', 'esm', 'vsm', 'evsm2', 'evsm4', 'msm', 'csm', 'pcss', 'dpcf', 'screen-space']
     """technique (csm: convolution, dpcf: contact-hardening); pcf, esm, vsm, evsm2, evsm4, msm, csm, pcss, dpcf or screen-space. Default: pcf."""
     shadow_filter: Literal['nearest', 'bilinear', 'box', 'tent', 'gaussian', 'poisson', 'vogel', 'optimized', 'area-tent', 'pcf']
-    """PCF kernel; nearest, bilinear, box, tent, gaussian, poisson, vogel, optimized or area-tent; the word pcf means box. Default: nearest."""
+    """PCF kernel; nearest, bilinear, box, tent, gaussian, poisson, vogel, optimized or area-tent; pcf is accepted for box. Default: nearest."""
     shadow_filter_size: int
     """side of the PCF kernel, except disks [texels]; an integer from 1 to 29. Default: 3."""
     shadow_filter_taps: Literal['nearest', 'linear']
@@ -298,7 +298,7 @@ class Keywords(TypedDict, total=False):
     shading_path: Literal['forward', 'deferred']
     """how the image is shaded; forward or deferred. Default: forward."""
     shading_specular: Literal['phong', 'blinn-phong', 'blinn']
-    """specular term; phong or blinn-phong; the word blinn means blinn-phong. Default: blinn-phong."""
+    """specular term; phong or blinn-phong; blinn is accepted for blinn-phong. Default: blinn-phong."""
     shading_normalization: Literal['energy', 'none']
     """scale reflection so that it conserves energy, or the classic formula; energy or none. Default: energy."""
     shading_ambient: float
@@ -388,7 +388,7 @@ class Keywords(TypedDict, total=False):
     run_classes: Literal['fast', 'exact']
     """separate acne from false occlusion by triangle planes (fast), or also by rays (exact); fast or exact. Default: exact."""
     run_measure: Literal['auto', 'visibility', 'ao', 'image', 'shadows']
-    """what is traced, drawn and measured; auto: shadows and AO, in a sweep depending on the axes; auto, visibility, ao or image; the word shadows means visibility. Default: auto."""
+    """what is traced, drawn and measured; auto: shadows and AO, in a sweep depending on the axes; auto, visibility, ao or image; shadows is accepted for visibility. Default: auto."""
     run_shimmer: bool
     """measure shimmer: shadow map and camera move by fractions of a texel or pixel; true or false. Default: False."""
     run_ao_stages: bool

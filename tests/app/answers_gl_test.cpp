@@ -259,6 +259,11 @@ TEST_F(Answers, Quiet_prints_the_answer_only_and_verbose_adds_diagnostics) {
                                              "--size", "96x54", "--truth.spp", "16", "--verbose"});
   EXPECT_NE(verbose.err.find("ray tests "), std::string::npos) << verbose.err;
   EXPECT_EQ(verbose.out.find("ray tests "), std::string::npos);
+  // Taps of this filter have large weights, which are no number of taps.
+  const ProgramResult weighted =
+      run_program({"compare", "room", "--light", "sun", "-o", folder_ / "weighted", "--size", "240x135",
+                   "--shadow.filter", "gaussian", "--measure", "visibility", "--no-figures", "--verbose"});
+  expect_words(weighted.err, {" taps of false occlusion moved some to acne: 0."});
   // What did not occur is not said, here wrong taps on the receiver's own layer.
   const ProgramResult detached =
       run_program({"compare", "contact-box", "--light", "sun", "-o", folder_ / "detached", "--size", "96x54",

@@ -125,7 +125,7 @@ TEST_F(RunsReport, A_light_that_reaches_few_blocks_is_not_tested_and_that_is_sai
   EXPECT_EQ(value.verdict, Verdict::no_interval);
   EXPECT_EQ(value.counted_blocks, 16u);
   const ProgramResult result = run_program({"report", write("a", a), write("b", b), "-o", output(), "--no-figures"});
-  EXPECT_NE(result.out.find("(not tested: counted pixels in 16 blocks, 20 are needed)"), std::string::npos)
+  EXPECT_NE(result.out.find("(not tested: counted pixels in 16 blocks of the image, 20 are needed)"), std::string::npos)
       << result.out;
 }
 

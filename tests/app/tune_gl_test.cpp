@@ -117,7 +117,7 @@ TEST_F(Tune, Its_range_and_its_front_say_what_the_constraints_cut) {
       run_program({"tune", "courtyard", "-o", folder_ / "kept", "--size", "160x90", "--no-figures", "--over",
                    "view.camera=all", "--constraint", "acne<0.1%", "--vary", "shadow.constant-bias=0:8texels"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  expect_words(result.out, {"of the least cost where the constraints are kept, the smallest with",
+  expect_words(result.out, {"Of the constant biases that keep the constraints, this is the smallest that",
                             "constant-bias, where the constraints are kept: ", " of the least cost there, ",
                             " %, but breaks a constraint that the best point keeps; "});
   expect_words(text_of(folder_ / "kept/index.html"),
@@ -173,7 +173,7 @@ TEST_F(Tune, A_held_out_camera_says_of_both_points_which_constraint_they_break) 
       run_program({"tune", "courtyard", "-o", folder_ / "held", "--size", "160x90", "--no-figures", "--camera",
                    "overview", "--constraint", "acne<0.1%", "--vary", "shadow.constant-bias=0:8texels"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const std::size_t held = result.out.find("held out (3 cases: ");
+  const std::size_t held = result.out.find("held out (3 cases, from '");
   ASSERT_NE(held, std::string::npos) << result.out;
   const std::string line = result.out.substr(held, result.out.find('\n', held) - held);
   expect_words(line, {"default ", " % (breaks the constraint: acne ", ") → "});

@@ -175,7 +175,7 @@ TEST(Parameters, An_alias_of_a_choice_sets_the_name_that_it_means) {
   require(parameters, "sample.flavor").set_text("sugary");
   EXPECT_EQ(sample.flavor, Flavor::sweet);
   EXPECT_EQ(to_string(parameters.front().value()), "sweet") << "what is stored is the name";
-  EXPECT_EQ(parameters.front().limits(), "plain or sweet; the word sugary means sweet");
+  EXPECT_EQ(parameters.front().limits(), "plain or sweet; sugary is accepted for sweet");
 }
 
 }  // namespace

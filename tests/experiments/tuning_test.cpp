@@ -185,23 +185,31 @@ TEST(ParetoFront, Holds_the_points_of_which_none_is_better_in_both) {
 
 TEST(CostDifference, Of_points_that_differ_alike_in_every_block_is_significant) {
   const TuneGoal mae = goal("mae");
-  // One case of four blocks. b is worse by 0.1 whichever block is left out, although both vary by much more.
-  const LeftOutBlocks a = {{{{0.5}, {0.9}, {0.1}, {0.5}}}};
-  const LeftOutBlocks b = {{{{0.6}, {1.0}, {0.2}, {0.6}}}};
+  // One case of 20 blocks. b is worse by 0.1 whichever block is left out, although both vary by much more.
+  LeftOutBlocks a(1), b(1), few(1);
+  for (int i = 0; i < 20; ++i) {
+    const double cost = i % 4 == 1 ? 0.9 : i % 4 == 2 ? 0.1 : 0.5;
+    a[0].without.push_back({cost});
+    b[0].without.push_back({cost + 0.1});
+    if (i > 0) few[0].without.push_back({cost});
+  }
   const std::optional<Estimate> difference = cost_difference(mae, {{0.5}}, a, {{0.6}}, b);
   ASSERT_TRUE(difference.has_value());
   EXPECT_NEAR(difference->value, -0.1, 1e-12);
   EXPECT_LT(difference->upper, 0.0);
-  // Of one alone, with Student's t for 3 degrees of freedom: 3.182446 √(3/4 · (0.4² + 0.4²)) = 1.559074
+  // Of one alone, with Student's t for 19 degrees of freedom: 2.093024 √(19/20 · 10 · 0.4²) = 2.580460
   const std::optional<Estimate> alone = cost_interval(mae, {{0.5}}, a);
-  EXPECT_NEAR(alone->upper - alone->value, 1.559074, 1e-5);
+  EXPECT_NEAR(alone->upper - alone->value, 2.580460, 1e-5);
   EXPECT_EQ(alone->lower, 0.0) << "no absolute error is negative";
-  EXPECT_NEAR(cost_interval(goal("mean_error"), {{0.5}}, a)->lower, 0.5 - 1.559074, 1e-5);
+  EXPECT_NEAR(cost_interval(goal("mean_error"), {{0.5}}, a)->lower, 0.5 - 2.580460, 1e-5);
   EXPECT_FALSE(cost_interval(mae, {{0.5}}, {{}}).has_value());
+  EXPECT_FALSE(cost_interval(mae, {{0.5}}, few).has_value()) << "as in report";
+  EXPECT_FALSE(cost_difference(mae, {{0.5}}, few, {{0.6}}, few).has_value());
 }
 
 TEST(CostDifference, Holds_costs_without_what_noise_may_have_added) {
-  const LeftOutBlocks exact = {{{{0.5}, {0.6}, {0.4}, {0.5}}}};
+  LeftOutBlocks exact(1);
+  for (int i = 0; i < 20; ++i) exact[0].without.push_back({0.5 + 0.01 * (i % 3)});
   LeftOutBlocks noisy = exact;
   noisy.front().noise = {0.1};
   const auto expect = [&](const TuneGoal& of, double below, double above) {

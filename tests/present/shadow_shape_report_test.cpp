@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "present/presentation_parts.h"
 
 namespace umbrameter {
@@ -27,6 +29,30 @@ TEST(ShadowShapeReport, The_caption_of_distances_speaks_of_causes_only_where_the
   const std::string soft = caption_of(false);
   for (const char* word : {"cause's", "acne", "Aliasing"}) EXPECT_EQ(soft.find(word), std::string::npos) << soft;
   EXPECT_NE(soft.find("too dark"), std::string::npos) << soft;
+}
+
+// A bias that removes the whole shadow leaves contacts without a gap to measure, and edges without a match.
+TEST(ShadowShapeReport, The_table_of_casters_shows_lost_contacts_and_edges_without_a_match) {
+  SceneFacts scene;
+  scene.titles = scene.layers = {"sun"};
+  scene.by_object.names = {"leaf"};
+  ShadowMeasurement shadow;
+  ShadowShape& shape = shadow.shape.emplace();
+  CasterShape& leaf = shape.casters.emplace_back();
+  leaf.contacts = leaf.lost = 6;
+  leaf.unmatched = 28;
+  Presentation presentation;
+  present_shape(presentation, scene, shadow);
+  const auto report =
+      std::ranges::find(presentation.section.tables, "Contact gap and shadow inset by caster", &ReportTable::title);
+  ASSERT_NE(report, presentation.section.tables.end());
+  const auto cell = [&](const char* column) {
+    return to_string(report->table.rows.at(0)[column_index(report->table, column)]);
+  };
+  EXPECT_EQ(cell("contacts"), "6");
+  EXPECT_EQ(cell("without shadow"), "6");
+  EXPECT_EQ(cell("matched edges"), "0");
+  EXPECT_EQ(cell("without match"), "28");
 }
 
 }  // namespace
