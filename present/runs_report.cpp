@@ -44,8 +44,9 @@ std::string difference_text(const ComparedValue& value) {
   if (value.verdict == Verdict::base || value.verdict == Verdict::no_base) return "—";
   const std::string text = interval_text(value.difference, scale_of(value.measured.unit)) +
                            (value.verdict == Verdict::rays_only ? rays_only_mark : "");
-  const bool is_shown = value.verdict == Verdict::significant || value.verdict == Verdict::equal;
-  return is_shown ? text : "(" + text + ")";
+  if (value.verdict == Verdict::significant || value.verdict == Verdict::equal) return text;
+  const std::size_t range = text.find(" (");
+  return range == std::string::npos ? "(" + text + ")" : "(" + text.substr(0, range) + ", " + text.substr(range + 2);
 }
 
 std::string verdict_text(const ComparedValue& value) {
@@ -205,7 +206,10 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
       }
     }
     part.values = rows_of_runs(runs, errors, 0, compared_text);
-    part.differences = rows_of_runs(runs, errors, 1, difference_text);
+    std::vector<const ComparedStatistic*> of_first = errors;
+    std::erase_if(of_first, [](const ComparedStatistic* each) { return each->values.front().run > 0; });
+    std::erase_if(of_first, [](const ComparedStatistic* each) { return each->values.size() < 2; });
+    part.differences = rows_of_runs(runs, of_first, 1, difference_text);
     part.printed_values = rows_of_errors(runs, errors, 0, compared_text);
     part.printed_differences = rows_of_errors(runs, errors, 1, printed_difference);
     parts.push_back(std::move(part));
