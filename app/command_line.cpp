@@ -15,10 +15,10 @@ namespace umbrameter {
 namespace {
 
 // --NAME for --run.NAME true.
-CLI::Option* add_switch(CLI::App& command, CommandLine& line, const std::string& name) {
+CLI::Option* add_switch(CLI::App& command, CommandLine& line, const std::string& name, const std::string& meaning) {
   const std::string key = "run." + name;
   return command.add_flag_callback(
-      "--" + name, [&line, key] { line.settings.emplace_back(key, "true"); }, "same as --" + key + " true");
+      "--" + name, [&line, key] { line.settings.emplace_back(key, "true"); }, meaning + " (--" + key + " true)");
 }
 
 void add_image_command(CLI::App& app, CommandLine& line, const CommandDescription& description) {
@@ -60,7 +60,8 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   if (!is_tune && !is_plan) command.add_flag("--dry-run", line.dry_run, "show what would be measured, and stop");
   if (is_evaluate) add_frame_options(command, line);
   if (&description == &compare_command) {
-    for (const char* name : {"shimmer", "ao-stages"}) add_switch(command, line, name);
+    add_switch(command, line, "shimmer", "measure shimmer under small shifts");
+    add_switch(command, line, "ao-stages", "split the error of AO by stage");
   }
   if (&description == &compare_command || is_evaluate) {
     add_value(command, "--fail-if", line.fail_if, "CONDITION", "exit with 1 if this holds: 'acne>0.1%'; repeatable")
@@ -69,8 +70,9 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   const bool writes_files = &description == &compare_command || &description == &raster_command;
   // A sweep accepts them only to say that it writes no such files.
   if (writes_files || is_sweep || is_plan) {
-    for (const char* name : {"write-maps", "write-ao-inputs"}) {
-      add_switch(command, line, name)->group(writes_files ? files_group : "");
+    for (const auto& [name, meaning] : {std::pair{"write-maps", "write each shadow map as an EXR file"},
+                                        {"write-ao-inputs", "write what the AO technique reads"}}) {
+      add_switch(command, line, name, meaning)->group(writes_files ? files_group : "");
     }
   }
   if (&description != &trace_command && !is_evaluate) {

@@ -71,10 +71,14 @@ std::string advice_text(const BiasAdvice& advice) {
   // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= advice.plateau.limit;
   const char* reason = used.acne > little_acne_share ? reason_text(advice.plateau, is_for_acne) : "";
+  // Where the run has no acne, the bias is not there to remove it.
+  const bool says_where = *reason == '\0' && *reason_text(advice.plateau, false) != '\0';
+  const std::string little_from =
+      says_where ? fmt::format(", from {} on with acne of at most 0.1 %", short_bias_text(advice, recommended)) : "";
   const bool shows_acne = is_for_acne || *reason != '\0' || recommended.acne > used.acne;
   return fmt::format("use bias {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended), reason,
                      shows_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
-                     percent(used.mae), percent(recommended.mae), range,
+                     percent(used.mae), percent(recommended.mae), range + little_from,
                      acne_left(recommended, shows_acne ? "" : percent(used.acne) + " → "));
 }
 

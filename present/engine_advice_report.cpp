@@ -121,9 +121,10 @@ std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
                (advice.own_bias->unit == LengthUnit::texels ? " of our map" : "");
   }
   notes.push_back(fmt::format("{}: it {}{}{}", advice.target.spec.engine->name, own, searched,
-                              advice.measured     ? "; the errors are those of its numbers, drawn so"
-                              : advice.by_default ? "; the error of its default numbers is drawn so"
-                                                  : ""));
+                              advice.measured ? "; the errors are those of its numbers, with a map drawn that way"
+                              : advice.by_default
+                                  ? "; the error of its default numbers is that with a map drawn that way"
+                                  : ""));
   return notes;
 }
 

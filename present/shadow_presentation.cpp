@@ -226,6 +226,25 @@ std::string technique_text(const ShadowMeasurement& shadow) {
                      technique == Pcf::name ? value_text(experiment, "shadow.filter") + " filter" : technique);
 }
 
+// ", normal-offset 1 texel, polygon-offset-factor 2": what else was set to move the comparison or the map.
+std::string other_bias_text(const Experiment& experiment) {
+  Experiment given = experiment;
+  Experiment usual;
+  std::string text;
+  const auto add = [&](const Parameters& parameters, const Parameters& defaults) {
+    for (const Parameter& parameter : parameters) {
+      const bool is_named = parameter.key == constant_bias_key || parameter.key == slope_bias_key;
+      const std::string value = to_string(parameter.value());
+      if (is_named || value == to_string(require(defaults, parameter.key).value())) continue;
+      text += fmt::format(", {} {}", parameter.key.substr(parameter.key.find('.') + 1),
+                          with_unit(value, parameter.is_number() ? parameter.description.unit : ""));
+    }
+  };
+  add(describe(given.shadow.bias), describe(usual.shadow.bias));
+  add(describe(given.shadow.map_depth), describe(usual.shadow.map_depth));
+  return text;
+}
+
 std::string stored_depths_text(const ShadowMeasurement& shadow) {
   const StoredDepths& depths = *shadow.stored_depths;
   const std::string first = metres_text(depths.step_at_nearest);
@@ -256,9 +275,10 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
     const bool is_ours = renderer_title(experiment).empty();
     add_layer_figure(presentation, layers, Layer::raster_visibility, layer,
                      is_ours ? "Shadow map: " + title : "Shadow: " + title,
-                     is_ours ? fmt::format("{}, constant bias {}, slope-scaled bias {}.", technique_text(shadow),
+                     is_ours ? fmt::format("{}, constant bias {}, slope-scaled bias {}{}.", technique_text(shadow),
                                            length_text(experiment.shadow.bias.constant),
-                                           with_unit(fmt::format("{:g}", experiment.shadow.bias.slope), "texels"))
+                                           with_unit(fmt::format("{:g}", experiment.shadow.bias.slope), "texels"),
+                                           other_bias_text(experiment))
                              : technique_text(shadow) + ".");
   }
   if (shadow.stored_depths && shadow.stored_depths->range) {

@@ -166,19 +166,22 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   PlotFigure figure;
   figure.stem = "edge_distance_" + layer;
   figure.title = "Distance of errors from shadow edges: " + title;
+  const std::string no_edge =
+      " Where a shadow ends at an object's outline or is thinner than a pixel, the image has no edge, and errors there "
+      "count as far from one.";
   figure.caption =
       shape.components
           ? "Share of each cause's error within a distance of the nearest edge of the hard shadow. Most aliasing lies "
             "within one or two texels of an edge, or in a pixel beside it; a filter blurs edges over its width, and "
-            "acne may lie far from any edge. Where a shadow ends at an object's outline or is thinner than a pixel, "
-            "the image has no edge, and aliasing there "
-            "counts as far from one."
+            "acne may lie far from any edge."
           : "Share of the error that is too dark, and of that too bright, within a distance of the nearest edge of the "
             "hard shadow" +
                 std::string(is_soft ? " of the light's centre. Errors of a cast penumbra lie within its width"
                                     : ". Errors of the filter lie within its width") +
-                " of that edge; errors farther away have another cause, such as self-shadowing" +
-                (is_soft ? ", light leak or surfaces that face only a part of the light." : " or light leak.");
+                " of that edge, or in a pixel beside it; self-shadowing" +
+                (is_soft ? ", light leak and surfaces that face only a part of the light" : " and light leak") +
+                " may err far from any edge.";
+  figure.caption += no_edge;
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};
   figure.series = "part";

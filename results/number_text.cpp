@@ -101,11 +101,11 @@ std::string metres_text(double metres, int digits) {
   };
   const double size = std::abs(metres);
   if (size >= 1000.0) return in(1e-3, "km");
-  if (size < 1e-12) return "0 m";
+  if (size < 1e-15) return "0 m";
   if (size >= 1.0) return in(1.0, "m");
   if (size >= 0.01) return in(100.0, "cm");
   if (size >= 1e-5) return in(1000.0, "mm");
-  return size >= 1e-6 ? in(1e6, "µm") : in(1e9, "nm");
+  return size >= 1e-6 ? in(1e6, "µm") : size >= 1e-10 ? in(1e9, "nm") : in(1e12, "pm");
 }
 
 std::string short_text(const Value& value) {

@@ -90,9 +90,9 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
-    reason = "its bias in metres grows with the depth as no unit of shadow.constant-bias does on this map";
+    reason = "its bias is longer farther from the light, and on this map no unit of shadow.constant-bias is";
     if (layout.kind == MapKind::perspective && layout.encoded_near == 0.0)
-      reason += "; --shadow.depth-encoding perspective has that unit";
+      reason += "; with --shadow.depth-encoding perspective the map's depth is such a unit";
     return {};
   }
   const AtPlaces normal(places, terms, &BiasTerms::normal);

@@ -112,7 +112,7 @@ class Keywords(TypedDict, total=False):
     shadow_slope_bias: float
     """slope-scaled bias, times tan θ [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_normal_offset: float
-    """normal offset, times its profile [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    """normal offset, times its profile (sin θ) [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_normal_offset_metres: float
     """normal offset, times its profile; added to that in texels [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_normal_offset_profile: Literal['sine', 'constant', 'one-minus-cosine', 'eevee']

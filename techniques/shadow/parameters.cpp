@@ -37,7 +37,7 @@ Parameters describe(BiasParams& params) {
               .basic = true})
       .field("slope-bias", params.slope, {.unit = "texels", .meaning = "slope-scaled bias, times tan θ", .basic = true})
       .field("normal-offset", params.normal_offset.texels,
-             {.unit = "texels", .meaning = "normal offset, times its profile", .basic = true})
+             {.unit = "texels", .meaning = "normal offset, times its profile (sin θ)", .basic = true})
       .field("normal-offset-metres", params.normal_offset.metres,
              {.unit = "m", .meaning = "normal offset, times its profile; added to that in texels"})
       .choice("normal-offset-profile", params.normal_offset.profile, offset_profile_names,

@@ -50,6 +50,7 @@ TEST(NumberText, A_length_is_in_the_unit_that_suits) {
   EXPECT_EQ(metres_text(2e-6), "2 µm");
   EXPECT_EQ(metres_text(4.84e-9), "4.84 nm");
   EXPECT_EQ(metres_text(2.273e-10), "0.227 nm") << "a step of a float near the light";
+  EXPECT_EQ(metres_text(9.8456e-13), "0.985 pm") << "and of one on its plane";
   EXPECT_EQ(metres_text(-0.0123), "−1.23 cm");
   EXPECT_EQ(length_text({1.5, LengthUnit::texels}), "1.5 texels");
   EXPECT_EQ(length_text({2.70879, LengthUnit::texels}), "2.71 texels") << "three digits, as of metres";
