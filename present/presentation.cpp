@@ -116,14 +116,13 @@ std::string offset_text(const TraceStatistics& statistics) {
                      metres_text(statistics.largest_offset));
 }
 
-std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth) {
+std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth, bool is_over_pixel) {
   if (precision.pixels == 0) return {};
   std::string text = fmt::format(
       "The 95 % confidence intervals account for the sampling noise of the reference. The interval of a single pixel "
       "is ± {} % on average and ± {} % at most{}, with {:.0f} rays per pixel on average.",
       digits_text(100.0 * precision.mean_half_width, 2), digits_text(100.0 * precision.worst_half_width, 2),
-      truth.shadow == ShadowReference::pixel ? ", where few of a pixel's points see the surface of its centre" : "",
-      precision.mean_samples);
+      is_over_pixel ? ", where few of a pixel's points see the surface of its centre" : "", precision.mean_samples);
   if (truth.tolerance > 0.0) {
     text += fmt::format(
         " {} of {} pixels stopped at truth.max-spp ({} rays) before they reached the tolerance of ± {:g} %.",

@@ -50,8 +50,9 @@ void add_metrics_table(ReportSection& section, const std::vector<MetricScore>& s
 
 std::string offset_text(const TraceStatistics& statistics);
 
-/// The precision of a sampled reference; precision_text() is empty if nothing was sampled.
-std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth);
+/// The precision of a sampled reference; precision_text() is empty if nothing was sampled. `is_over_pixel`: it is the
+/// mean over the part of each pixel that shows the surface of its centre.
+std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth, bool is_over_pixel = false);
 std::string precision_line(const SamplingPrecision& precision);
 
 /// The measurement must have stages.

@@ -269,7 +269,9 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
     add_layer_figure(presentation, layers, Layer::truth_visibility, layer, "Reference: " + title,
                      truth_caption(shadow));
     presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
-    if (shadow.is_sampled) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
+    if (shadow.is_sampled)
+      section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth,
+                                              experiment.truth.shadow == ShadowReference::pixel);
   }
   if (shadow.raster) {
     const bool is_ours = renderer_title(experiment).empty();

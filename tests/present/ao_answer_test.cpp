@@ -84,6 +84,16 @@ TEST(AoAnswer, A_technique_that_tests_points_is_not_said_to_limit_the_distance_o
   expect_words(present_ao({}, ao).section.text, {"from any distance, as ao.range-check is false"});
 }
 
+// Its rays start at the pixel's centre whatever the reference of shadows does.
+TEST(AoAnswer, Shadows_over_whole_pixels_do_not_change_what_is_said_of_its_rays) {
+  AoMeasurement ao = measurement();
+  ao.truth->precision.pixels = 4;
+  const std::string text = present_ao({}, ao).section.text;
+  expect_words(text, {"rays per pixel on average"});
+  ao.experiment.truth.shadow = ShadowReference::pixel;
+  EXPECT_EQ(present_ao({}, ao).section.text, text);
+}
+
 TEST(AoAnswer, A_falloff_without_an_end_is_no_limit) {
   AoMeasurement ao = measurement();
   ao.experiment.truth.ao_falloff = AoFalloff::ssao;
