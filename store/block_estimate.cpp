@@ -75,7 +75,6 @@ struct PixelValues {
   double truth = 0.0;
   double raster = 0.0;
   double variance = 0.0;
-  double excess = 0.0;                       // the most that noise may have added to the absolute error
   std::array<double, cause_count> causes{};  // parts of the absolute error
 };
 
@@ -86,9 +85,6 @@ PixelValues values_at(const StoredImages& images, std::size_t i) {
   const double standard_error = value(images.standard_error);
   PixelValues values{value(images.error), value(images.truth), value(images.raster),
                      value(images.variance) + standard_error * standard_error};
-  const double s = std::sqrt(values.variance);
-  const double least_error = std::max(std::abs(values.error) - noise_reach(images.degrees_of_freedom) * s, 0.0);
-  values.excess = folded_excess(least_error, s);
   const long main_cause = std::lround(value(images.classes)) - static_cast<long>(PixelClass::acne);
   for (std::size_t c = 0; c < cause_count; ++c) {
     const double of_one_tap = static_cast<long>(c) == main_cause ? std::abs(values.error) : 0.0;
@@ -98,7 +94,6 @@ PixelValues values_at(const StoredImages& images, std::size_t i) {
 }
 
 double one(const PixelValues&) { return 1.0; }
-double nothing(const PixelValues&) { return 0.0; }
 double penumbra(const PixelValues& p) { return penumbra_weight(p.truth, p.variance); }
 
 // A statistic as a ratio of sums over pixels.
@@ -106,8 +101,14 @@ struct PixelMean {
   double (*term)(const PixelValues&) = nullptr;  // what a pixel adds; null: it is no such ratio
   bool is_root = false;                          // the statistic is the root of the ratio
   double (*weight)(const PixelValues&) = one;
-  double (*of_excess)(const PixelValues&) = nothing;  // times `excess`: how much of the term may be noise
+  double (*of_excess)(const PixelValues&) = nullptr;  // times what noise adds to the absolute error; null: nothing
 };
+
+// The most that noise may have added to a pixel's term. mean.of_excess must not be null.
+double excess_of(const PixelMean& mean, const PixelValues& values, double reach) {
+  const double s = std::sqrt(values.variance);
+  return mean.of_excess(values) * folded_excess(std::max(std::abs(values.error) - reach * s, 0.0), s);
+}
 
 template <Cause cause>
 double error_of_cause(const PixelValues& p) {
@@ -175,6 +176,7 @@ struct BlockSums {
 };
 
 BlockSums sum_blocks(const StoredImages& images, const PixelMean& of) {
+  const double reach = noise_reach(images.degrees_of_freedom);
   const Image<float>& error = *images.error;
   const int columns = std::clamp(error.width / min_block_side, 1, max_blocks_of_a_side);
   const int rows = std::clamp(error.height / min_block_side, 1, max_blocks_of_a_side);
@@ -191,7 +193,7 @@ BlockSums sum_blocks(const StoredImages& images, const PixelMean& of) {
       const PixelValues values = values_at(images, i);
       const double term = of.term(values);
       const double weight = of.weight(values);
-      sums.excess += of.of_excess(values) * values.excess;
+      if (of.of_excess != nullptr) sums.excess += excess_of(of, values, reach);
       for (BlockSum* each : {&sums.blocks[static_cast<std::size_t>(block)], &sums.all}) {
         each->sum += term;
         each->weight += weight;
@@ -242,6 +244,8 @@ std::optional<BlockEstimate> jackknife(double value, const std::vector<double>& 
 // other, where d is the difference of the techniques. As n falls no faster than |e| grows, these differ by at most |d|.
 std::array<double, 2> uncommon_excess(const StoredImages& a, const StoredImages& b, const PixelMean& mean) {
   std::array<double, 2> sums{};
+  if (mean.of_excess == nullptr) return sums;
+  const std::array<double, 2> reach = {noise_reach(a.degrees_of_freedom), noise_reach(b.degrees_of_freedom)};
   for (std::size_t i = 0; i < a.error->size(); ++i) {
     const std::array<PixelValues, 2> values = {values_at(a, i), values_at(b, i)};
     const bool is_shared = values[0].truth == values[1].truth && values[0].variance == values[1].variance;
@@ -249,7 +253,8 @@ std::array<double, 2> uncommon_excess(const StoredImages& a, const StoredImages&
         is_shared ? std::abs(values[1].error - values[0].error) : std::numeric_limits<double>::infinity();
     for (std::size_t run = 0; run < 2; ++run) {
       if (!is_counted(run == 0 ? a : b, i)) continue;
-      sums[run] += mean.of_excess(values[run]) * std::min(values[run].excess, most);
+      const double share = mean.of_excess(values[run]);
+      if (share > 0.0) sums[run] += std::min(excess_of(mean, values[run], reach[run]), share * most);
     }
   }
   return sums;

@@ -38,12 +38,12 @@ double cost(const TuneGoal& goal, std::vector<CaseValues> cases, std::size_t rep
 }
 
 // How far the cost can lie below and above what was measured, because noise of the reference may have raised columns.
-struct NoiseReach {
+struct CostNoise {
   double below = 0.0;
   double above = 0.0;
 };
 
-NoiseReach noise_reach(const TuneGoal& goal, const std::vector<CaseValues>& cases, const LeftOutBlocks& blocks) {
+CostNoise cost_noise(const TuneGoal& goal, const std::vector<CaseValues>& cases, const LeftOutBlocks& blocks) {
   std::vector<CaseValues> least = cases;
   std::vector<CaseValues> most = cases;
   for (std::size_t c = 0; c < cases.size(); ++c) {
@@ -81,7 +81,7 @@ std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<Ca
     return cost(goal, cases, c, blocks[c].without[b]);
   });
   if (!interval) return interval;
-  const NoiseReach noise = noise_reach(goal, cases, blocks);
+  const CostNoise noise = cost_noise(goal, cases, blocks);
   interval->lower -= noise.below;
   interval->upper += noise.above;
   if (!has_negative_costs(goal)) interval->lower = std::max(interval->lower, 0.0);
@@ -99,8 +99,8 @@ std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<
     return cost(goal, a, c, blocks_a[c].without[block]) - cost(goal, b, c, blocks_b[c].without[block]);
   });
   if (!interval) return interval;
-  const NoiseReach of_a = noise_reach(goal, a, blocks_a);
-  const NoiseReach of_b = noise_reach(goal, b, blocks_b);
+  const CostNoise of_a = cost_noise(goal, a, blocks_a);
+  const CostNoise of_b = cost_noise(goal, b, blocks_b);
   interval->lower -= of_a.below + of_b.above;
   interval->upper += of_a.above + of_b.below;
   return interval;

@@ -89,7 +89,8 @@ void round_recommended(TuneResult& result, TunePoint& point, const TuneInput& in
   point = rounded;
 }
 
-void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& measurer) {
+// `pixels` as plateau_of() takes them.
+void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& measurer, std::uint64_t pixels) {
   const std::vector<TunePoint> all = measurer.measure_curve(result.best.values, result.goal);
   const std::vector<double>& constants = measurer.constants();
   const std::size_t step = std::max<std::size_t>(1, all.size() / max_curve_points);
@@ -103,7 +104,7 @@ void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& 
   add_acne(cells, in, result.best.values);
   std::ranges::sort(cells, [](const BiasCell& a, const BiasCell& b) { return a.constant < b.constant; });
   result.evidence = evidence_of(in, result.best.values);
-  result.plateau = plateau_of(cells, {}, pixels_of_cost(result, in));
+  result.plateau = plateau_of(cells, {}, pixels);
   result.withheld = reason_against_on_axis(*result.plateau, result.evidence);
   if (result.withheld || !result.plateau->has_little_acne()) return;
   const auto recommended = std::ranges::find(constants, result.plateau->recommended.constant);
@@ -178,8 +179,9 @@ TuneResult tune(const TuneInput& input, TuneJournal& journal, const TuneProgress
   };
   const SearchInput search{input.axes, input.goal, input.given, input.budget.evaluations, exact};
   TuneResult result = search_points(search, ask, progress);
-  if (exact) find_plateau(result, input, measurer);
-  result.limit = limit_of_plateau(result.best.score.cost, pixels_of_cost(result, input));
+  const std::uint64_t pixels = pixels_of_cost(result, input);
+  result.limit = limit_of_plateau(result.best.score.cost, pixels);
+  if (exact) find_plateau(result, input, measurer, pixels);
   find_runner_up(result, input.axes);
   find_best_of_words(result, input);
   result.scans = scan_axes(search, result, ask);
