@@ -264,8 +264,8 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
   }
   if (shows_noise) {
     answers.emplace_back(
-        "noise of the reference can only raise an error: a range (… to …) also holds what the error would be "
-        "without it; more rays (--truth.spp) shorten it");
+        "noise of the reference can only raise an error: where rays sampled it, a range (… to …) also holds "
+        "what the error would be without; more rays (--truth.spp) shorten it");
   }
   for (const StoredRun& run : runs) {
     const auto of_ao = [&](std::string_view name) {
