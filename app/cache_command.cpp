@@ -15,6 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t name_characters = 32;
+constexpr std::size_t reference_characters = 160;
 constexpr std::size_t key_characters = 12;
 
 double seconds_since(std::filesystem::file_time_type time) {
@@ -37,10 +38,11 @@ Json to_json(const CacheListing& listing) {
           {"used_seconds_ago", std::round(seconds_since(listing.used))}};
 }
 
+// The reference last: the ends of names tell a hard shadow from a soft one.
 std::vector<std::string> to_row(const CacheListing& listing) {
-  return {listing.title ? shortened(listing.title->scene, name_characters) : "(damaged)",
-          listing.title ? shortened(listing.title->what, name_characters) : "", bytes_text(listing.bytes),
-          age_text(seconds_since(listing.used)), listing.name.substr(0, key_characters)};
+  return {listing.title ? shortened(listing.title->scene, name_characters) : "(damaged)", bytes_text(listing.bytes),
+          age_text(seconds_since(listing.used)), listing.name.substr(0, key_characters),
+          listing.title ? shortened(listing.title->what, reference_characters) : ""};
 }
 
 ExitCode clear(const CacheFolder& folder, const Console& console) {
@@ -65,7 +67,7 @@ ExitCode run_cache(const CommandLine& line, const Console& console) {
   }
   if (line.clear) return clear(*folder, console);
   Json entries = Json::array();
-  std::vector<std::vector<std::string>> rows = {{"scene", "reference", "size", "used", "key"}};
+  std::vector<std::vector<std::string>> rows = {{"scene", "size", "used", "key", "reference"}};
   std::uint64_t total = 0;
   for (const CacheListing& listing : list_entries(*folder)) {
     total += listing.bytes;
