@@ -99,9 +99,10 @@ std::string ao_limit_text(const TruthParams& params) {
 
 std::string no_ao_text(double error, double mean_truth) {
   const double without = 1.0 - mean_truth;
-  constexpr double hardly = 0.99;  // of the error without AO
+  constexpr double hardly = 0.99;  // within 1 % both are about equal
   if (!(error >= hardly * without)) return {};
-  return "no AO at all would be about as close to the reference, or closer: its error is " + percent(without);
+  return fmt::format("no AO at all would be {} to the reference: its error is {}",
+                     hardly * error > without ? "closer" : "about as close", percent(without));
 }
 
 void add_without_ao(Presentation& presentation, double error, double mean_truth) {

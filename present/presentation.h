@@ -63,8 +63,7 @@ inline constexpr const char* filter_caution =
 std::string filter_warning(const std::string& remedy);
 std::string filter_remedy(const std::string& flag);
 
-/// "no AO at all would be as close to the reference or closer: its error is 1.18 %"; empty where AO is better than
-/// none.
+/// "no AO at all would be closer to the reference: its error is 1.18 %"; empty where AO is better than none.
 std::string no_ao_text(double error, double mean_truth);
 
 /// Whether these names of metrics or statistics have the one that shows which filter is best against a hard shadow.

@@ -51,9 +51,12 @@ TEST(AoAnswer, An_error_stands_beside_that_of_no_ambient_occlusion) {
   EXPECT_EQ(present_ao({}, ao).lines.front(), "  AO: without any AO the error would be 20.0 %");
   error.mean_truth = {0.95, 0.95, 0.95};
   EXPECT_EQ(present_ao({}, ao).answers.back().find(
-                "warning: no AO at all would be about as close to the reference, or closer: its error is 5.00 %"),
+                "warning: no AO at all would be closer to the reference: its error is 5.00 %"),
             0u)
       << present_ao({}, ao).answers.back();
+  error.mean_truth = {0.9005, 0.9005, 0.9005};
+  EXPECT_EQ(present_ao({}, ao).answers.back(),
+            "warning: no AO at all would be about as close to the reference: its error is 9.95 %");
 }
 
 TEST(AoAnswer, An_error_of_rounding_has_no_row_of_zeros) {
