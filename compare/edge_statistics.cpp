@@ -61,7 +61,7 @@ Statistics describe(EdgeStatistics& s) {
              "too bright, at most 2 texels from a shadow edge or in a pixel beside it", curve("Too bright at edges"))
       .share("too_bright_away", s.too_bright_away,
              "too bright, more than 2 texels from a shadow edge and not beside it: light bleeding, shadow lost to the "
-             "bias, or a wide blur",
+             "bias, a wide blur, or casters out of reach of screen-space shadows",
              curve("Too bright away from edges"))
       .field("mean_error", s.mean_error, "1", "mean signed error, technique − reference")
       .field("max_error", s.max_error, "1", "largest absolute error")

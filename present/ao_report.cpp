@@ -29,11 +29,11 @@ std::string reaches_text(const AoParams& params, const std::string& limit) {
   // Only techniques that test points have one; what hides a point in the image may be nearer to the camera than it.
   if (const Parameter* range_check = find(parameters, "ao.range-check")) {
     return fmt::format(
-        "The technique tests points up to {} away, the reference looks for occluders {}. What hides a point in the "
-        "image darkens the pixel{}.",
+        "The technique tests points up to {} away, the reference looks for occluders {}. A surface in front of such a "
+        "point, as the camera sees it, darkens the pixel{}.",
         reaches, limit,
         std::get<bool>(range_check->value())
-            ? fmt::format(" even from farther away; the range check fades out what lies more than {} off in depth",
+            ? fmt::format(" even from farther away; the range check fades out surfaces more than {} off in depth",
                           metres_text(radius))
             : " from any distance, as ao.range-check is false");
   }
@@ -87,7 +87,7 @@ const char* sign_words(const Estimate& error) {
 std::string ao_radius_text(const AoParams& params) {
   const double radius = params.sampling.radius.number;
   const double reach = reach_of(params);
-  return metres_text(radius) + (reach == radius ? "" : fmt::format(" × {:.4g}", reach / radius));
+  return metres_text(radius) + (reach == radius ? "" : ", reach " + metres_text(reach));
 }
 
 std::string ao_limit_text(const TruthParams& params) {

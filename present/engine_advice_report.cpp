@@ -73,7 +73,7 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
 std::string own_drawing_text(const EngineAdvice& advice) {
   const BiasEngine& engine = *advice.target.spec.engine;
   std::vector<std::string> parts;
-  if (advice.is_in_metres) parts.emplace_back("has one length for all distances");
+  if (advice.is_in_metres) parts.emplace_back("takes the bias as one length for all distances");
   if (advice.own_faces) {
     parts.push_back(fmt::format("casts {}", *advice.own_faces == CasterFaces::all    ? "front and back faces"
                                             : *advice.own_faces == CasterFaces::back ? "back faces"
@@ -120,11 +120,13 @@ std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
     searched = ": the bias was searched again for this and is " + length_text(*advice.own_bias) +
                (advice.own_bias->unit == LengthUnit::texels ? " of our map" : "");
   }
-  notes.push_back(fmt::format("{}: it {}{}{}", advice.target.spec.engine->name, own, searched,
-                              advice.measured ? "; the errors are those of its numbers, with a map drawn that way"
-                              : advice.by_default
-                                  ? "; the error of its default numbers is that with a map drawn that way"
-                                  : ""));
+  const char* errors = advice.measured     ? "; the errors are those of its numbers"
+                       : advice.by_default ? "; the error is that of its default numbers"
+                                           : "";
+  const bool has_errors = errors[0] != '\0';
+  const bool draws_otherwise = advice.own_faces || advice.has_own_offset;
+  notes.push_back(fmt::format("{}: it {}{}{}{}", advice.target.spec.engine->name, own, searched, errors,
+                              has_errors && draws_otherwise ? ", with a map drawn that way" : ""));
   return notes;
 }
 

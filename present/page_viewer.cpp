@@ -91,8 +91,9 @@ std::string missing_text(const ShadowMeasurement& shadow) {
   }
   const TechniqueCapabilities can = capabilities_of(make_technique(shadow.experiment.shadow));
   if (!can.sums_comparisons) {
-    return "This technique does not sum depth comparisons, so that taps have no critical bias; there is no bias "
-           "slider.";
+    return fmt::format(
+        "The result of {} is no sum of depth comparisons, so that taps have no critical bias; there is no bias slider.",
+        technique_name(shadow.experiment));
   }
   if (!can.taps_independent_of_bias) {
     return "The bias of this technique changes which texels it compares, so that one pass does not give the images at "

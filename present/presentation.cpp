@@ -51,6 +51,11 @@ constexpr const char* picture_stem = "picture";
 
 }  // namespace
 
+std::string technique_name(const Experiment& experiment) {
+  const bool is_combined = std::holds_alternative<ContactShadows>(make_technique(experiment.shadow));
+  return value_text(experiment, "shadow.technique") + (is_combined ? " with contact shadows" : "");
+}
+
 std::string value_text(Experiment experiment, std::string_view key) {
   return to_string(require(describe(experiment), key).value());
 }

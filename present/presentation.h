@@ -50,7 +50,7 @@ Presentation present_image(const SceneFacts& scene, const LayeredImage& layers, 
 
 /// How far the reference of ambient occlusion looks: "up to 58.6 cm" or "without distance limit".
 std::string ao_limit_text(const TruthParams& params);
-/// "58.6 cm", or "58.6 cm × 1.457" where the technique looks so many times as far as its radius.
+/// "58.6 cm", or "58.6 cm, reach 85.4 cm" where the technique looks farther than its radius.
 std::string ao_radius_text(const AoParams& params);
 
 /// The limit of the mean absolute error against a hard shadow, for pages that compare filters.

@@ -24,6 +24,9 @@ namespace umbrameter {
 /// The value of the parameter with this full name.
 std::string value_text(Experiment experiment, std::string_view key);
 
+/// The shadow technique: "vsm", "pcf with contact shadows".
+std::string technique_name(const Experiment& experiment);
+
 /// Adds a layer's picture, drawn as its description says: numbers, categories, or colours times `exposure`. Nothing if
 /// there is no such layer.
 void add_layer_figure(Presentation& presentation, const LayeredImage& layers, Layer layer, std::string_view light,

@@ -12,6 +12,7 @@
 #include "reports/files/text_layout.h"
 #include "techniques/shadow/map_fit.h"
 #include "techniques/shadow/pcf.h"
+#include "techniques/shadow/read_parameters.h"
 
 namespace umbrameter {
 namespace {
@@ -47,7 +48,7 @@ std::string truth_caption(const ShadowMeasurement& shadow) {
   if (!shadow.is_sampled) return common;
   const double samples = shadow.truth->precision.mean_samples;
   if (shadow.experiment.truth.shadow == ShadowReference::pixel) {
-    return fmt::format("{} Mean over the part of each pixel that shows the surface of its centre, of {:.0f} rays.",
+    return fmt::format("{} Mean of {:.0f} rays over the part of each pixel that shows the surface of its centre.",
                        common, samples);
   }
   return fmt::format("{} The light is {}{}; {:.0f} rays per pixel measure the visible share of its {}.", common,
@@ -61,9 +62,13 @@ void add_error_figure(Presentation& presentation, const SceneFacts& scene, const
                    "Error: " + scene.title(shadow.light), error_caption);
 }
 
-// The bias of our own technique.
+// Whether the result is that of a shadow map, and so depends on its bias; screen-space shadows alone need none.
+bool reads_map(Experiment experiment) {
+  return renderer_title(experiment).empty() && find(read_parameters(experiment.shadow), constant_bias_key) != nullptr;
+}
+
 void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
-  if (!renderer_title(shadow.experiment).empty()) return;
+  if (!reads_map(shadow.experiment)) return;
   Table table{plain_columns({"constant bias", "value", "unit"}), {}};
   const double texel = shadow.counted.mean_texel;
   const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit);
@@ -97,12 +102,13 @@ std::string no_advice_text(const ShadowMeasurement& shadow) {
   const std::string flags = shadow.experiment.truth.shadow == ShadowReference::pixel
                                 ? "--truth.shadow point"
                                 : flags_without_extent(shadow.emitter);
-  const std::string name = value_text(shadow.experiment, "shadow.technique");
-  const std::string reason = !technique.sums_comparisons && !technique.reads_light_extent
-                                 ? "acne cannot be counted for " + name + ", which sums no depth comparisons"
-                             : !technique.taps_independent_of_bias
-                                 ? "the kernel of " + name + " depends on the bias"
-                                 : "acne can be counted only in a hard shadow (" + flags + ")";
+  const std::string name = technique_name(shadow.experiment);
+  if (!reads_map(shadow.experiment)) return fmt::format("no bias recommended: {} reads no shadow map", name);
+  const std::string reason =
+      !technique.sums_comparisons && !technique.reads_light_extent
+          ? "acne cannot be counted for " + name + ", as its result is no sum of depth comparisons"
+      : !technique.taps_independent_of_bias ? "the kernel of " + name + " depends on the bias"
+                                            : "acne can be counted only in a hard shadow (" + flags + ")";
   return "no bias recommended: " + reason + "; umbrameter tune finds the bias of least error";
 }
 
@@ -112,27 +118,31 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
   ReportSection& section = presentation.section;
   add_error_figure(presentation, scene, layers, shadow);
   section.text += fmt::format(
-      "\n\nThis technique does not sum depth comparisons, so no single tap is right or wrong and its error has no "
-      "causes. The error is split by sign and by distance to the reference's shadow edges instead; at an edge means at "
+      "\n\nThe result of {} is no sum of depth comparisons, so no single tap is right or wrong and the error has no "
+      "causes. It is split by sign and by distance to the reference's shadow edges instead; at an edge means at "
       "most {:g} texels from it, or in a pixel beside it.",
-      edge_band_texels);
+      technique_name(shadow.experiment), edge_band_texels);
   if (s.max_x >= 0) {
     section.text +=
         fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.max_error), s.max_x, s.max_y);
   }
+  const bool of_map = reads_map(shadow.experiment);
   section.headlines = {
       {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", grouped(s.pixels))},
-      {"too dark away from edges", percent(s.too_dark_away), "like acne"},
-      {"too dark at edges", percent(s.too_dark_at_edge), "blur and occluders in the kernel"},
-      {"too bright at edges", percent(s.too_bright_at_edge), "blur and lost contact"},
-      {"too bright away from edges", percent(s.too_bright_away), "light bleeding, a large bias, or a wide blur"},
+      {"too dark away from edges", percent(s.too_dark_away), of_map ? "like acne" : "surfaces that block themselves"},
+      {"too dark at edges", percent(s.too_dark_at_edge),
+       of_map ? "blur and occluders in the kernel" : "surfaces thinner than assumed"},
+      {"too bright at edges", percent(s.too_bright_at_edge),
+       of_map ? "blur and lost contact" : "surfaces thicker than assumed, or between two steps"},
+      {"too bright away from edges", percent(s.too_bright_away),
+       of_map ? "light bleeding, a large bias, or a wide blur" : "casters farther than the ray is long, or unseen"},
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
-  section.text += "\n\n" + std::string(filter_caution);
+  if (of_map) section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{}; at most {:g} texels from a shadow edge or in a pixel beside it, too dark {}, too bright {}; "
-      "elsewhere too dark {}, too bright {}; {}",
+      "{}: error {}{}; at shadow edges (at most {:g} texels away or in a pixel beside one) too dark {} and too bright "
+      "{}, elsewhere too dark {} and too bright {}; {}",
       title, percent(s.mae), few_pixels_text(s.pixels), edge_band_texels, percent(s.too_dark_at_edge),
       percent(s.too_bright_at_edge), percent(s.too_dark_away), percent(s.too_bright_away), no_advice_text(shadow)));
 }
@@ -151,7 +161,9 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   section.text +=
       capabilities_of(shadow).sums_comparisons
           ? "Causes need a binary reference: --truth.shadow point takes the light's centre alone."
-          : "This technique has no causes against any reference, because it does not sum depth comparisons.";
+          : fmt::format(
+                "The result of {} has no causes against any reference, because it is no sum of depth comparisons.",
+                technique_name(shadow.experiment));
   if (s.error.max_x >= 0) {
     section.text += fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.error.max_error),
                                 s.error.max_x, s.error.max_y);
@@ -216,16 +228,6 @@ constexpr std::string_view causes_by_flips_text =
     "bias "
     "that lights two thirds of the acne, else peter-panning: a larger bias lit it.";
 
-std::string technique_text(const ShadowMeasurement& shadow) {
-  const Experiment& experiment = shadow.experiment;
-  if (const std::string renderer = renderer_title(experiment); !renderer.empty()) return renderer;
-  const std::size_t cascades = shadow.layout.kind == MapKind::orthographic ? shadow.layout.views.size() : 1;
-  const std::string views = cascades > 1 ? fmt::format("{} cascades of ", cascades) : "";
-  const std::string technique = value_text(experiment, "shadow.technique");
-  return fmt::format("{}{}² texels, {}", views, shadow.layout.resolution,
-                     technique == Pcf::name ? value_text(experiment, "shadow.filter") + " filter" : technique);
-}
-
 // ", normal-offset 1 texel, polygon-offset-factor 2": what else was set to move the comparison or the map.
 std::string other_bias_text(const Experiment& experiment) {
   Experiment given = experiment;
@@ -243,6 +245,23 @@ std::string other_bias_text(const Experiment& experiment) {
   add(describe(given.shadow.bias), describe(usual.shadow.bias));
   add(describe(given.shadow.map_depth), describe(usual.shadow.map_depth));
   return text;
+}
+
+// What drew the shadow.
+std::string technique_caption(const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  if (const std::string renderer = renderer_title(experiment); !renderer.empty()) return renderer + ".";
+  const ScreenSpaceParams& march = experiment.shadow.screen_space;
+  const std::string steps = fmt::format("rays of {} in {} steps", metres_text(march.length), march.steps);
+  if (!reads_map(experiment)) return "Screen-space shadows: " + steps + ".";
+  const std::size_t cascades = shadow.layout.kind == MapKind::orthographic ? shadow.layout.views.size() : 1;
+  const std::string views = cascades > 1 ? fmt::format("{} cascades of ", cascades) : "";
+  const std::string technique = value_text(experiment, "shadow.technique");
+  return fmt::format("{}{}² texels, {}, constant bias {}, slope-scaled bias {}{}{}.", views, shadow.layout.resolution,
+                     technique == Pcf::name ? value_text(experiment, "shadow.filter") + " filter" : technique,
+                     length_text(experiment.shadow.bias.constant),
+                     with_unit(fmt::format("{:g}", experiment.shadow.bias.slope), "texels"),
+                     other_bias_text(experiment), march.is_combined ? "; contact shadows: " + steps : "");
 }
 
 std::string stored_depths_text(const ShadowMeasurement& shadow) {
@@ -274,16 +293,10 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
                                               experiment.truth.shadow == ShadowReference::pixel);
   }
   if (shadow.raster) {
-    const bool is_ours = renderer_title(experiment).empty();
     add_layer_figure(presentation, layers, Layer::raster_visibility, layer,
-                     is_ours ? "Shadow map: " + title : "Shadow: " + title,
-                     is_ours ? fmt::format("{}, constant bias {}, slope-scaled bias {}{}.", technique_text(shadow),
-                                           length_text(experiment.shadow.bias.constant),
-                                           with_unit(fmt::format("{:g}", experiment.shadow.bias.slope), "texels"),
-                                           other_bias_text(experiment))
-                             : technique_text(shadow) + ".");
+                     (reads_map(experiment) ? "Shadow map: " : "Shadow: ") + title, technique_caption(shadow));
   }
-  if (shadow.stored_depths && shadow.stored_depths->range) {
+  if (shadow.stored_depths && shadow.stored_depths->range && reads_map(experiment)) {
     presentation.details.push_back(title + ": " + stored_depths_text(shadow));
   }
   if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) {

@@ -61,9 +61,8 @@ std::string edges_text(const ErrorShape& shape) {
   if (shape.outside_penumbra) {
     text += fmt::format(
         " {} of the error counts as outside the penumbra. Of a pixel's error, 4V(1 − V) counts as inside, V the "
-        "visibility of the reference: all of it where V is ½, none where V is 0 or 1. An error that is equal all over "
-        "a penumbra, in which V falls evenly from 1 to 0, therefore counts by a third as outside: only a larger share "
-        "shows errors elsewhere.",
+        "visibility of the reference: all of it where V is ½, none where V is 0 or 1. The faint parts of a penumbra "
+        "therefore count partly as outside: of an error that is equal all over it, a third.",
         percent(*shape.outside_penumbra));
   }
   return text;
@@ -100,23 +99,24 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
   const std::string inset =
       "how far the outline of the shadow lies inside that of the reference; negative: outside; median of the matched "
       "edges";
-  Table table{{{"caster", "", "object that casts the shadow; most pixels first"},
-               {"contacts", "px",
-                "pixels where, in the image, the reference shadow begins beside the caster: a gap below about a pixel "
-                "counts, too"},
-               {"without shadow", "px",
-                "contacts at which the shadow of the reference ends before one begins: it is lost, and the gap is as "
-                "long as it"},
-               {"median contact gap", "m", gap + "median"},
-               {"median contact gap", "texels", gap + "median"},
-               {"median contact gap", "px", gap + "median"},
-               {"largest gap", "m", gap + "largest"},
-               {"matched edges", "px", "edges of the reference shadow near which the shadow has one"},
-               {"without match", "px", "edges of the reference shadow without one"},
-               {"median shadow inset", "m", inset},
-               {"median shadow inset", "texels", inset},
-               {"median shadow inset", "px", inset}},
-              {}};
+  Table table{
+      {{"caster", "", "object that casts the shadow; most pixels first"},
+       {"contacts", "px",
+        "pixels where, in the image, the reference shadow begins beside the caster: a gap below about a pixel "
+        "counts, too"},
+       {"without shadow", "px",
+        "contacts where the technique has no shadow before that of the reference ends: the gap is as long as the "
+        "reference shadow"},
+       {"median contact gap", "m", gap + "median"},
+       {"median contact gap", "texels", gap + "median"},
+       {"median contact gap", "px", gap + "median"},
+       {"largest gap", "m", gap + "largest"},
+       {"matched edges", "px", "edges of the reference shadow near which the technique has one, too"},
+       {"without match", "px", "edges of the reference shadow near which the technique has none"},
+       {"median shadow inset", "m", inset},
+       {"median shadow inset", "texels", inset},
+       {"median shadow inset", "px", inset}},
+      {}};
   for (const CasterShape& caster : listed) {
     const auto cell = [](bool is_known, double value) { return is_known ? digits_text(value) : "—"; };
     const bool touches = caster.contacts > 0;
@@ -174,13 +174,15 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
           ? "Share of each cause's error within a distance of the nearest edge of the hard shadow. Most aliasing lies "
             "within one or two texels of an edge, or in a pixel beside it; a filter blurs edges over its width, and "
             "acne may lie far from any edge."
-          : "Share of the error that is too dark, and of that too bright, within a distance of the nearest edge of the "
-            "hard shadow" +
-                std::string(is_soft ? " of the light's centre. Errors of a cast penumbra lie within its width"
-                                    : ". Errors of the filter lie within its width") +
-                " of that edge, or in a pixel beside it; self-shadowing" +
-                (is_soft ? ", light leak and surfaces that face only a part of the light" : " and light leak") +
-                " may err far from any edge.";
+          : std::string(
+                "Share of the error that is too dark, and of that too bright, within a distance of the nearest "
+                "edge of the hard shadow") +
+                (is_soft
+                     ? " of the light's centre. Errors of a cast penumbra lie within its width of that edge, or in a "
+                       "pixel beside it; self-shadowing, light leak and surfaces that face only a part of the light "
+                       "may err far from any edge."
+                     : ". A filter blurs edges over its width; self-shadowing, light leak and missing shadows may "
+                       "err far from any edge.");
   figure.caption += no_edge;
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};

@@ -16,15 +16,17 @@
 namespace umbrameter {
 namespace {
 
-// Those of the same figures of the run itself, which name the technique and its settings.
-void take_captions(std::vector<Figure>& figures, const RunResults& results) {
-  std::map<std::string, std::string> captions;
+// Title and caption of the same figures of the run itself, which know the technique and its settings.
+void take_titles(std::vector<Figure>& figures, const RunResults& results) {
+  std::map<std::string, FigureHead> heads;
   for (const Presentation& part : measured_parts(results.scene, *results.measurement)) {
-    for (const Figure& figure : part.figures) captions.emplace(head_of(figure).stem, head_of(figure).caption);
+    for (const Figure& figure : part.figures) heads.emplace(head_of(figure).stem, head_of(figure));
   }
   for (Figure& figure : figures) {
-    const auto found = captions.find(head_of(figure).stem);
-    if (found != captions.end()) head_of(figure).caption = found->second;
+    const auto found = heads.find(head_of(figure).stem);
+    if (found == heads.end()) continue;
+    head_of(figure).title = found->second.title;
+    head_of(figure).caption = found->second.caption;
   }
 }
 
@@ -56,7 +58,7 @@ std::vector<Figure> stored_figures(const std::filesystem::path& folder, const St
   std::optional<RunResults> results = read_run_value(folder, false);
   if (results && results->measurement) {
     results->measurement->layers = run.images;
-    take_captions(all.figures, *results);
+    take_titles(all.figures, *results);
   }
   if (has_stored_cells(folder, run)) {
     const FinishedSweep sweep(folder);

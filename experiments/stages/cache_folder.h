@@ -25,7 +25,7 @@ std::optional<std::filesystem::path> xdg_cache_folder(const char* xdg_cache_home
 /// Description of an entry in listings.
 struct CacheTitle {
   std::string scene;
-  std::string what;  ///< "visibility of sun, camera arcade"
+  std::string what;  ///< "hard shadow of sun, camera arcade"
 };
 
 struct CacheRead {

@@ -197,21 +197,16 @@ Stage Stages::reference_stage(const Experiment& experiment, std::uint32_t light)
 std::shared_ptr<const TracedVisibility> Stages::truth(const Experiment& experiment, std::uint32_t light) {
   const Stage stage = reference_stage(experiment, light);
   if (stage == Stage::binary_reference) return hard_truth(experiment, light);
-  const char* of_what = stage == Stage::pixel_reference ? ", over whole pixels" : ", with its size";
   return get(sampled_truth_, stage, experiment, light,
-             [&](const Experiment& read) { return trace(read, stage, light, of_what); });
+             [&](const Experiment& read) { return trace(read, stage, light); });
 }
 
 std::shared_ptr<const TracedVisibility> Stages::hard_truth(const Experiment& experiment, std::uint32_t light) {
   constexpr Stage stage = Stage::binary_reference;
-  // The stage does not read the size, and its experiment lacks it.
-  const bool has_size = is_area(with_extent(scene_.lights[light], experiment.light));
-  return get(hard_truth_, stage, experiment, light,
-             [&](const Experiment& read) { return trace(read, stage, light, has_size ? ", without its size" : ""); });
+  return get(hard_truth_, stage, experiment, light, [&](const Experiment& read) { return trace(read, stage, light); });
 }
 
-TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, std::uint32_t light,
-                               const char* of_what) {
+TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, std::uint32_t light) {
   Light lamp = this->light(experiment, light);
   const bool is_over_pixel = reference == Stage::pixel_reference;
   if (reference == Stage::binary_reference) lamp.emitter = std::monostate{};
@@ -228,8 +223,11 @@ TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, st
     }
     return trace_visibility(rays, seen->gbuffer, lamp, sampling, progress.callback());
   };
-  TracedVisibility traced = cache_.get(
-      key, {scene_title(experiment), "visibility of " + title(light) + of_camera(seen->view) + of_what}, trace);
+  const char* of = is_over_pixel                          ? "shadow over each pixel of "
+                   : reference == Stage::binary_reference ? "hard shadow of "
+                                                          : "soft shadow of ";
+  TracedVisibility traced =
+      cache_.get(key, {scene_title(experiment), of + title(light) + of_camera(seen->view)}, trace);
   add(costs_.shadow, traced.statistics);
   costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
   return traced;

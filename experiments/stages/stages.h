@@ -281,8 +281,7 @@ class Stages {
     return memo.get(key(stage, experiment, light), [&]() -> T { return make(declared(stage, experiment)); });
   }
   Stage reference_stage(const Experiment& experiment, std::uint32_t light) const;
-  /// `of_what` ends the reference's name in notes: ", without its size".
-  TracedVisibility trace(const Experiment& experiment, Stage reference, std::uint32_t light, const char* of_what);
+  TracedVisibility trace(const Experiment& experiment, Stage reference, std::uint32_t light);
 
   Scene scene_;
   StageOptions options_;

@@ -304,6 +304,28 @@ TEST_F(Answers, Where_no_bias_is_recommended_the_reason_is_that_of_the_technique
   expect_words(of_box({"--light.angle", "2", "--shadow.technique", "pcss"}), {of_kernel});
   expect_words(of_box({"--truth.shadow", "point", "--light.angle", "2", "--shadow.technique", "pcss"}), {of_kernel});
   expect_words(of_box({"--light.angle", "2"}), {"acne can be counted only in a hard shadow (--light.angle 0)"});
+  expect_words(of_box({"--shadow.contact-shadows", "true"}),
+               {"no bias recommended: acne cannot be counted for pcf with contact shadows"});
+}
+
+// Screen-space shadows have no map, so neither its bias nor its resolution is a remedy.
+TEST_F(Answers, Screen_space_shadows_alone_are_not_told_as_a_shadow_map) {
+  const auto page = [&](const std::vector<std::string>& settings) {
+    const std::string out =
+        run(words({"compare", "contact-box", "--light", "sun", "--measure", "shadows", "--force"}, settings));
+    return out + text_of(folder_ / "out/index.html");
+  };
+  const std::vector<std::string> of_map = {"Shadow map: sun", "Constant bias of these images", "a large bias",
+                                           "choose a bias or a resolution", "the map holds depths"};
+  const std::string with_map = page({"--shadow.contact-shadows", "true"});
+  expect_words(with_map, of_map);
+  expect_words(with_map, {"; contact shadows: rays of 30 cm in 8 steps."});
+  for (const char* angle : {"0", "2"}) {
+    const std::string alone = page({"--shadow.technique", "screen-space", "--light.angle", angle});
+    expect_words(alone, {"no bias recommended: screen-space reads no shadow map",
+                         "Screen-space shadows: rays of 30 cm in 8 steps."});
+    for (const std::string& words : of_map) EXPECT_EQ(alone.find(words), std::string::npos) << words;
+  }
 }
 
 // PCSS and DPCF of a light without extent are PCF: they have its causes, its advice and its errors.

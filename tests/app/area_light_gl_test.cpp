@@ -36,8 +36,8 @@ TEST_F(AreaLightRun, The_hard_reference_beside_the_soft_one_is_named_as_such) {
   };
   notes();
   const std::string again = notes();
-  EXPECT_NE(again.find(", with its size: using"), std::string::npos) << again;
-  EXPECT_NE(again.find(", without its size: using"), std::string::npos) << again;
+  EXPECT_NE(again.find("soft shadow of sun, camera overview: using"), std::string::npos) << again;
+  EXPECT_NE(again.find("hard shadow of sun, camera overview: using"), std::string::npos) << again;
 }
 
 TEST_F(AreaLightRun, The_error_is_split_by_sign_with_intervals_and_has_no_causes) {

@@ -242,7 +242,7 @@ TEST_F(CacheCommand, Ctrl_c_during_a_trace_keeps_no_entry) {
   const ProgramResult result = trace("out", {"--size", "1920x1080", "--truth.spp", "65536"}, options);
   EXPECT_EQ(result.exit_code, 130) << result.err;
   const Json listed = list();
-  for (const Json& entry : listed["entries"]) EXPECT_EQ(entry["what"], "visibility of sun, camera overview");
+  for (const Json& entry : listed["entries"]) EXPECT_EQ(entry["what"], "hard shadow of sun, camera overview");
   if (!fs::exists(home_)) return;
   for (const auto& file : fs::recursive_directory_iterator(home_)) EXPECT_NE(file.path().extension(), ".tmp");
 }
