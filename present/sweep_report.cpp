@@ -14,8 +14,6 @@
 #include "present/plot_axes.h"
 #include "present/presentation_parts.h"
 #include "results/known_statistics.h"
-#include "techniques/ao/read_parameters.h"
-#include "techniques/shadow/read_parameters.h"
 
 namespace umbrameter {
 namespace {
@@ -196,42 +194,6 @@ std::vector<std::size_t> listed_axes(const SweepResults& sweep) {
   return axes;
 }
 
-// Whether a parameter of these, "shadow.filter-size", changes nothing in a cell, because its filter does not read it.
-template <class Params>
-bool is_unread(const SweepResults& sweep, const std::vector<Value>& row, const std::string& key) {
-  Params params;
-  const Parameters own = describe(params);
-  if (find(own, key) == nullptr) return false;
-  for (const Parameter& parameter : own) parameter.set(require(sweep.parameters, parameter.key).value());
-  for (std::size_t a = 0; a < sweep.plan.axes.size(); ++a) {
-    if (find(own, sweep.plan.axes[a].key) != nullptr) set_value(own, sweep.plan.axes[a], row[a]);
-  }
-  return find(read_parameters(params), key) == nullptr;
-}
-
-// The values of those axes that a cell reads, as the answers have them; sweep.csv has all, with all digits.
-std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes) {
-  std::string text;
-  for (const std::size_t a : axes) {
-    const SweepAxis& axis = sweep.plan.axes[a];
-    if (is_unread<ShadowParams>(sweep, row, axis.key) || is_unread<AoParams>(sweep, row, axis.key)) continue;
-    text += (text.empty() ? "" : ", ") + axis.key + " ";
-    const auto* number = std::get_if<double>(&row[a]);
-    std::vector<double> values;
-    if (number != nullptr) values = mapped(axis.values, [](const Value& value) { return to_number(value); });
-    std::ranges::sort(values);
-    const int digits = number != nullptr ? digits_on_axis(values, *number) : 0;
-    if (number != nullptr && axis.unit == "m") {
-      text += metres_text(*number, digits);
-    } else {
-      text += number != nullptr && std::abs(*number) < 1e4 ? with_minus(fmt::format("{:.{}g}", *number, digits))
-                                                           : short_text(row[a]);
-      text = with_unit(std::move(text), axis.unit);
-    }
-  }
-  return text;
-}
-
 // The error of a row with the interval that a sampled reference gives it.
 std::string error_text(const Table& table, const std::vector<Value>& row) {
   const double error = to_number(row[column_index(table, error_statistic)]);
@@ -286,12 +248,6 @@ Table best_rows(const SweepResults& sweep) {
   const std::vector<std::string> keys =
       mapped(listed_axes(sweep), [&](const std::size_t a) { return sweep.plan.axes[a].key; });
   return sweep.store.least(std::string(error_statistic), keys, max_best_rows);
-}
-
-std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {
-  std::vector<std::size_t> axes(sweep.plan.axes.size());
-  std::iota(axes.begin(), axes.end(), std::size_t{0});
-  return row_text(sweep, row, axes);
 }
 
 // "; equal at shadow.technique pcss": other cells whose error is the same to the last digit.

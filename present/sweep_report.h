@@ -14,7 +14,10 @@ namespace umbrameter {
 /// For each line of the plots its row of least error, by the values that tell the lines apart; at most 1,000.
 Table best_rows(const SweepResults& sweep);
 
-/// "shadow.constant-bias 0.05 m, shadow.resolution 256": the cell of a row.
+/// The values of those axes that the cell of a row reads, or of all where it reads none: "shadow.resolution 256"; with
+/// fewer digits than sweep.csv.
+std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes);
+/// Those of all axes: "shadow.constant-bias 0.05 m, shadow.resolution 256".
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row);
 
 /// The axes whose optimum lies at an end of theirs, of the rows of best_rows().

@@ -292,6 +292,13 @@ TEST_F(Answers, The_best_cell_names_only_parameters_that_it_reads) {
   EXPECT_NE(first_line(out).find("at shadow.filter nearest"), std::string::npos) << out;
 }
 
+TEST_F(Answers, A_line_about_a_group_of_cells_names_it_though_its_best_cell_reads_none_of_it) {
+  const ProgramResult result =
+      run_program({"sweep", "corner", "--light", "sun", "--no-figures", "--vary", "shadow.technique=pcf,vsm", "--vary",
+                   "shadow.receiver-plane=false,true", "--size", "96x54", "-o", folder_ / "out"});
+  expect_words(result.out, {"\n  shadow.receiver-plane false: least error ", " at shadow.technique vsm\n"});
+}
+
 TEST_F(Answers, Where_no_bias_is_recommended_the_reason_is_that_of_the_technique) {
   const auto of_box = [&](const std::vector<std::string>& settings) {
     return run(words({"compare", "contact-box", "--light", "sun", "--measure", "shadows", "--no-figures", "--force"},

@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/lists.h"
+#include "present/plot_axes.h"
+#include "present/presentation_parts.h"
+#include "present/sweep_report.h"
+#include "techniques/ao/read_parameters.h"
+#include "techniques/shadow/read_parameters.h"
+
+namespace umbrameter {
+namespace {
+
+// Whether a parameter of these, "shadow.filter-size", changes nothing in a cell, because its filter does not read it.
+template <class Params>
+bool is_unread(const SweepResults& sweep, const std::vector<Value>& row, const std::string& key) {
+  Params params;
+  const Parameters own = describe(params);
+  if (find(own, key) == nullptr) return false;
+  for (const Parameter& parameter : own) parameter.set(require(sweep.parameters, parameter.key).value());
+  for (std::size_t a = 0; a < sweep.plan.axes.size(); ++a) {
+    if (find(own, sweep.plan.axes[a].key) != nullptr) set_value(own, sweep.plan.axes[a], row[a]);
+  }
+  return find(read_parameters(params), key) == nullptr;
+}
+
+}  // namespace
+
+std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes) {
+  const auto is_idle = [&](std::size_t a) {
+    const std::string& key = sweep.plan.axes[a].key;
+    return is_unread<ShadowParams>(sweep, row, key) || is_unread<AoParams>(sweep, row, key);
+  };
+  const bool reads_none = std::ranges::all_of(axes, is_idle);
+  std::string text;
+  for (const std::size_t a : axes) {
+    const SweepAxis& axis = sweep.plan.axes[a];
+    if (is_idle(a) && !reads_none) continue;
+    text += (text.empty() ? "" : ", ") + axis.key + " ";
+    const auto* number = std::get_if<double>(&row[a]);
+    std::vector<double> values;
+    if (number != nullptr) values = mapped(axis.values, [](const Value& value) { return to_number(value); });
+    std::ranges::sort(values);
+    const int digits = number != nullptr ? digits_on_axis(values, *number) : 0;
+    if (number != nullptr && axis.unit == "m") {
+      text += metres_text(*number, digits);
+    } else {
+      text += number != nullptr && std::abs(*number) < 1e4 ? with_minus(fmt::format("{:.{}g}", *number, digits))
+                                                           : short_text(row[a]);
+      text = with_unit(std::move(text), axis.unit);
+    }
+  }
+  return text;
+}
+
+std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {
+  std::vector<std::size_t> axes(sweep.plan.axes.size());
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
+  return row_text(sweep, row, axes);
+}
+
+}  // namespace umbrameter
