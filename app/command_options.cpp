@@ -280,7 +280,7 @@ void add_tune_options(CLI::App& command, CommandLine& line) {
   command.add_flag("--worst-case", tune.worst_case, "minimize the largest cost of all cases, not their mean");
   command.add_flag("--relative", tune.relative, "minimize each case's cost in multiples of its cost at the default");
   add_value(command, "--held-out", tune.held_out, "PARAM=LIST",
-            "check the result on view.camera=LIST or scene=NAME; repeatable (default: a camera of no case)")
+            "check the result on view.camera=LIST or scene=NAME; repeatable (default: a camera that no case uses)")
       ->take_all();
   add_value(command, "--evaluations", tune.evaluations, "N", "max evaluations of all cases (30 for each searched axis)")
       ->check(number_between(1, 1000000));

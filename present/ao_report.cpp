@@ -70,9 +70,9 @@ AoErrorText error_text(const SampledError& error) {
   if (!is_measurable(error)) return {"below 0.0001 %", "0.0000 %"};
   const int decimals = decimals_of(width, 2);
   const double half_width = 50.0 * (mean.upper - mean.lower);
-  // Far below that of the absolute error it would read as 0.
-  const bool is_shown = half_width >= 0.5 * std::pow(10.0, -decimals);
-  const std::string interval = is_shown ? fmt::format(" ± {:.{}f}", half_width, decimals) : "";
+  // Far below that of the absolute error it is rounded up, so that it does not read as 0.
+  const std::string interval =
+      half_width > 0.0 ? fmt::format(" ± {:.{}f}", std::max(half_width, std::pow(10.0, -decimals)), decimals) : "";
   return {fmt::format("{:.{}f} to {:.{}f} %", 100.0 * absolute.lower, decimals, 100.0 * absolute.upper, decimals),
           with_sign(fmt::format("{:.{}f}{} %", 100.0 * mean.value, decimals, interval)), true};
 }

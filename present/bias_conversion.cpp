@@ -51,9 +51,9 @@ std::string numbers_text(const BiasSpec& spec, LightKind light) {
   std::string text;
   for (std::size_t i = 0; i < spec.numbers.size(); ++i) {
     const BiasNumber& number = spec.engine->numbers[i];
-    const std::string unit = number.unit == "1" ? "" : fmt::format(" ({})", number.unit);
+    const std::string unit = number.unit == "1" ? "" : fmt::format(" (unit: {})", number.unit);
     const char* usual = spec.numbers[i] == number.default_of(light) ? ", its default" : "";
-    text += fmt::format("{}{} = {:.6g}{}{}", text.empty() ? "" : "; ", number.name, spec.numbers[i], unit, usual);
+    text += fmt::format("{}{} = {:.6g}{}{}", text.empty() ? "" : "; ", number.name, spec.numbers[i], usual, unit);
   }
   return text;
 }

@@ -110,6 +110,7 @@ ViewerBias viewer_bias(const SceneFacts& scene, const ShadowMeasurement& shadow)
   if (!shadow.advice) return bias;
   const BiasAdvice& advice = *shadow.advice;
   bias.mean_texel = advice.mean_texel;
+  bias.texels_differ = advice.texels_differ;
   if (advice.unit == LengthUnit::texels) {
     bias.unit = "texels";
     bias.unit_length = advice.mean_texel;

@@ -73,17 +73,21 @@ void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
   const double texel = shadow.counted.mean_texel;
   const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit);
   const auto known = [](double number) { return digits_text(number); };
-  table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
+  const bool is_linear = shadow.depth_unit == shadow.layout.far_depth;
+  // Where texels differ in size, a number of them is several lengths; a share of a depth that is not linear, too.
+  const LengthUnit given = shadow.experiment.shadow.bias.constant.unit;
+  const bool is_mean = texels_differ(shadow.layout) && (given == LengthUnit::texels || !is_linear);
+  const auto converted = [&](LengthUnit own) { return std::string(is_mean && given != own ? ", on average" : ""); };
+  table.rows.push_back({"along the light" + converted(LengthUnit::metres), known(bias.metres), std::string("m")});
   table.rows.push_back(
       {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
   const bool is_of_cascades =
       shadow.layout.kind == MapKind::orthographic && shadow.experiment.shadow.fit.cascade_bias == own_range;
   const std::string unit = metres_text(shadow.depth_unit);
-  const bool is_linear = shadow.depth_unit == shadow.layout.far_depth;
-  const std::string depth = is_of_cascades ? "as a share of each cascade's own depth range, on average " + unit
-                            : is_linear    ? "as a share of the map's depth range, " + unit
-                                           : "in units of the map's depth, at the receivers on average " + unit;
-  table.rows.push_back({depth, known(bias.depth), std::string("normalised depth")});
+  const std::string depth = is_of_cascades ? "as a share of each cascade's own depth range (mean " + unit + ")"
+                            : is_linear    ? "as a share of the map's depth range (" + unit + ")"
+                                           : "in units of the map's depth (at the receivers " + unit + " on average)";
+  table.rows.push_back({depth + converted(LengthUnit::map_depth), known(bias.depth), std::string("normalised depth")});
   section.tables.push_back({"Constant bias of these images", std::move(table)});
 }
 
@@ -160,7 +164,8 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       "too bright instead. ";
   section.text +=
       capabilities_of(shadow).sums_comparisons
-          ? "Causes need a binary reference: --truth.shadow point takes the light's centre alone."
+          ? "Causes need a binary reference: --truth.shadow point traces one ray, from the pixel's centre to the "
+            "light's."
           : fmt::format(
                 "The result of {} has no causes against any reference, because it is no sum of depth comparisons.",
                 technique_name(shadow.experiment));

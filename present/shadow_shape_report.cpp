@@ -60,9 +60,9 @@ std::string edges_text(const ErrorShape& shape) {
       grouped(shape.edges));
   if (shape.outside_penumbra) {
     text += fmt::format(
-        " {} of the error counts as outside the penumbra. Of a pixel's error, 4V(1 − V) counts as inside, V the "
-        "visibility of the reference: all of it where V is ½, none where V is 0 or 1. The faint parts of a penumbra "
-        "therefore count partly as outside: of an error that is equal all over it, a third.",
+        " {} of the error counts as outside the penumbra. Where the reference sees the share V of the light, "
+        "4V(1 − V) of a pixel's error counts as inside: all of it at ½, none at 0 and 1. If all pixels of an even "
+        "penumbra had the same error, a third of it would count as outside.",
         percent(*shape.outside_penumbra));
   }
   return text;

@@ -138,9 +138,11 @@ std::string bias_range_text(const TuneSummary& summary) {
   const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
   const bool is_free = summary.goal.constraints.empty();
   const bool is_single = summary.cases.size() == 1;
-  std::string text = fmt::format("constant-bias{}{}: ", summary.axes.size() > 1 ? ", the others at the best point" : "",
-                                 is_free ? "" : ", where the constraints are kept") +
-                     range_text(plateau, axis->axis.length_unit, is_free ? "cost on the axis" : "cost there",
+  std::vector<std::string> which;
+  if (summary.axes.size() > 1) which.emplace_back("other values as in the best point");
+  if (!is_free) which.emplace_back("only biases that keep the constraints");
+  std::string text = fmt::format("constant-bias{}: ", which.empty() ? "" : " (" + joined(which, "; ") + ")") +
+                     range_text(plateau, axis->axis.length_unit, is_free ? "cost on the axis" : "cost of these",
                                 cost_text(summary.goal, plateau.least.mae), only_of_axis);
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
@@ -337,7 +339,9 @@ std::vector<std::string> warnings_of(const TuneSummary& summary) {
           fmt::format("with {} the ", value_text(summary.axes[word.axis], word.point.values[word.axis])));
     }
   }
-  warnings.insert(warnings.end(), summary.warnings.begin(), summary.warnings.end());
+  for (const std::vector<std::string>& more : {missed_points(summary), summary.warnings}) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  }
   return warnings;
 }
 

@@ -98,6 +98,21 @@ std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, 
   return std::pair{scan.points[range.first].values[scan.axis], scan.points[range.last].values[scan.axis]};
 }
 
+std::vector<std::string> missed_points(const TuneSummary& summary) {
+  std::vector<std::string> lines;
+  for (const AxisScan& scan : summary.result.scans) {
+    const auto least = std::ranges::min_element(scan.points, is_better, &TunePoint::score);
+    if (least == scan.points.end() || !is_better(least->score, summary.result.best.score)) continue;
+    const TuneAxis& axis = summary.axes[scan.axis];
+    const std::string value = value_text(axis, least->values[scan.axis]);
+    lines.push_back(fmt::format(
+        "{0}: the search missed {1}, measured after it with the other values of the best point: {2}; give it more "
+        "--evaluations, or a shorter axis around {1}",
+        axis.key(), value, cost_text(summary.goal, least->score.cost)));
+  }
+  return lines;
+}
+
 Table sensitivity_table(const TuneSummary& summary) {
   Table table{
       {{"parameter", "", "varied; the others keep their best values"},

@@ -17,6 +17,10 @@ std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, 
 /// Which ends of the axis a range reaches, where the axis could go on: "upper end of the axis". May be empty.
 std::string ends_text(const TuneAxis& axis, const std::pair<Value, Value>& range);
 
+/// Of points that were measured along the axes after the search, and are better than its best one: "ao.radius: the
+/// search missed 1.33 m, ...", one line an axis.
+std::vector<std::string> missed_points(const TuneSummary& summary);
+
 /// Best value, range and highest cost of each axis.
 Table sensitivity_table(const TuneSummary& summary);
 

@@ -36,7 +36,7 @@ struct TuneResult {
   TuneGoal goal;  ///< of a relative one, with the default's costs
   TunePoint best;
   TunePoint before;                    ///< the experiment's values as given: the default
-  std::optional<TunePoint> runner_up;  ///< the best point that differs by a twentieth of an axis, or in a word
+  std::optional<TunePoint> runner_up;  ///< the best measured point that differs by a twentieth of an axis, or in a word
   std::vector<TunePoint> points;       ///< every evaluated point, in order; with an exact bias the best for each
   std::vector<TunePoint> curve;        ///< with an exact bias: along it, thinned
   /// With an exact bias: along it at the best values of the others, with the cost as the error and the acne of the case

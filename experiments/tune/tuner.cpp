@@ -89,9 +89,9 @@ void round_recommended(TuneResult& result, TunePoint& point, const TuneInput& in
   point = rounded;
 }
 
-// `pixels` as plateau_of() takes them.
-void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& measurer, std::uint64_t pixels) {
-  const std::vector<TunePoint> all = measurer.measure_curve(result.best.values, result.goal);
+// `all`: the best point at every constant bias. `pixels` as plateau_of() takes them.
+void find_plateau(TuneResult& result, const TuneInput& in, const PointMeasurer& measurer,
+                  const std::vector<TunePoint>& all, std::uint64_t pixels) {
   const std::vector<double>& constants = measurer.constants();
   const std::size_t step = std::max<std::size_t>(1, all.size() / max_curve_points);
   for (std::size_t i = 0; i < all.size(); i += step) result.curve.push_back(all[i]);
@@ -123,12 +123,13 @@ bool differ(const std::vector<TuneAxis>& axes, const std::vector<Value>& a, cons
   return false;
 }
 
-void find_runner_up(TuneResult& result, const std::vector<TuneAxis>& axes) {
-  for (const std::vector<TunePoint>* points : {&result.points, &result.curve}) {
-    for (const TunePoint& point : *points) {
-      if (!differ(axes, point.values, result.best.values)) continue;
-      if (!result.runner_up || is_better(point.score, result.runner_up->score)) result.runner_up = point;
-    }
+// Takes the best of these points as runner-up if it is better than what is known.
+void find_runner_up(TuneResult& result, const std::vector<TuneAxis>& axes, const std::vector<TunePoint>& points) {
+  for (const TunePoint& point : points) {
+    if (result.runner_up && !is_better(point.score, result.runner_up->score)) continue;
+    // Points along the axes are measured after the search, which may have missed a better one.
+    if (is_better(point.score, result.best.score) || !differ(axes, point.values, result.best.values)) continue;
+    result.runner_up = point;
   }
 }
 
@@ -181,10 +182,15 @@ TuneResult tune(const TuneInput& input, TuneJournal& journal, const TuneProgress
   TuneResult result = search_points(search, ask, progress);
   const std::uint64_t pixels = pixels_of_cost(result, input);
   result.limit = limit_of_plateau(result.best.score.cost, pixels);
-  if (exact) find_plateau(result, input, measurer, pixels);
-  find_runner_up(result, input.axes);
+  find_runner_up(result, input.axes, result.points);
+  if (exact) {
+    const std::vector<TunePoint> all = measurer.measure_curve(result.best.values, result.goal);
+    find_plateau(result, input, measurer, all, pixels);
+    find_runner_up(result, input.axes, all);
+  }
   find_best_of_words(result, input);
   result.scans = scan_axes(search, result, ask);
+  for (const AxisScan& scan : result.scans) find_runner_up(result, input.axes, scan.points);
   return result;
 }
 

@@ -226,7 +226,7 @@ class Keywords(TypedDict, total=False):
     ao_gtao_distribution: float
     """GTAO: exponent of the steps' distances; a number from 0.1 to 10. Default: 2.0."""
     ao_gtao_thin_compensation: float
-    """GTAO: factor, less 1, on depth differences in the falloff: thin occluders fade sooner; a number from 0 to 100. Default: 0.0."""
+    """GTAO: depth differences in the falloff count 1 plus this times: thin occluders fade sooner; a number from 0 to 100. Default: 0.0."""
     ao_gtao_power: float
     """GTAO: exponent of the result; a number from 0.1 to 10. Default: 2.2."""
     ao_hbao_directions: int
@@ -360,7 +360,7 @@ class Keywords(TypedDict, total=False):
     frame_far: float
     """far plane of the frame's depths; 0: the camera's [m]; a number from 0 to 1e+12. Default: 0.0."""
     truth_spp: int
-    """rays per pixel, for AO and for each area light [rays]; an integer from 1 to 65536. Default: 256."""
+    """rays per pixel, for AO, area lights and pixel means [rays]; an integer from 1 to 65536. Default: 256."""
     truth_ao_weight: Literal['cosine', 'uniform']
     """weight of AO directions; cosine or uniform. Default: cosine."""
     truth_ao_distance: float | str

@@ -15,14 +15,14 @@ Json value_json(const Value& value, bool is_exact) {
   const auto* number = std::get_if<double>(&value);
   if (number == nullptr) return std::visit([](const auto& each) { return Json(each); }, value);
   if (!std::isfinite(*number)) return nullptr;
-  return is_exact ? *number : six_digits(*number);
+  return is_exact ? *number : eight_digits(*number);
 }
 
 }  // namespace
 
-double six_digits(double value) {
+double eight_digits(double value) {
   char digits[40];
-  std::snprintf(digits, sizeof digits, "%.6g", value);
+  std::snprintf(digits, sizeof digits, "%.8g", value);
   return std::strtod(digits, nullptr);
 }
 

@@ -22,10 +22,10 @@ struct ReportCells {
   std::string command_end;
 };
 
-/// Rounded to six significant digits: as good as any to a chart, and shorter.
-double six_digits(double value);
+/// Rounded to eight significant digits: shorter, and rounded again to five it is hardly ever another number.
+double eight_digits(double value);
 
-/// What the page's script reads (viewer/cells.ts). Measured values have six significant digits.
+/// What the page's script reads (viewer/cells.ts). Measured values have eight significant digits.
 nlohmann::ordered_json cells_json(const ReportCells& cells);
 
 /// Which columns of a chart's points are columns of the cells, so that the page can tell which cell a point shows.

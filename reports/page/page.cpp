@@ -182,7 +182,7 @@ void ready_settings(Json& settings) {
 constexpr std::pair<const char*, const char*> file_meanings[] = {
     {"images.exr", "all images as float layers"},      {"sweep.csv", "all cells of the sweep"},
     {"sweep.partial.csv", "all cells that are there"}, {"tuned.toml", "settings to use"},
-    {"evaluations.csv", "all evaluated points"},       {"experiment.toml", "settings of this run"},
+    {"evaluations.csv", "the points of the search"},   {"experiment.toml", "settings of this run"},
     {"comparison.csv", "all values and differences"},  {"summary.json", "all numbers, for programs"}};
 
 Json files_data(const fs::path& folder) {

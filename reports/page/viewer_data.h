@@ -48,6 +48,7 @@ struct ViewerBias {
   std::string unit = "m";                     ///< of the axis: "m", "texels" or "depth"
   double unit_length = 1.0;                   ///< of one such unit, mean over the counted pixels [m]
   double mean_texel = 0.0;                    ///< [m]
+  bool texels_differ = false;                 ///< from pixel to pixel: texels are metres only on average
   double used = 0.0;                          ///< the bias of this run, a value of the axis
   std::vector<double> axis;                   ///< ascending
   std::vector<std::array<double, 4>> shares;  ///< at each bias the shares of acne, false occlusion, peter-panning, leak

@@ -104,12 +104,13 @@ Json bias_json(ViewerPack& pack, const ViewerBias& bias, int stride) {
                {"unit", bias.unit},
                {"unit_length", bias.unit_length},
                {"mean_texel", bias.mean_texel},
+               {"texels_differ", bias.texels_differ},
                {"used", bias.used},
                {"axis", bias.axis},
                {"shares", Json::array()}};
   for (const auto& [acne, false_occlusion, peter_panning, leak] : bias.shares) {
     json["shares"].push_back(
-        {six_digits(acne), six_digits(false_occlusion), six_digits(peter_panning), six_digits(leak)});
+        {eight_digits(acne), eight_digits(false_occlusion), eight_digits(peter_panning), eight_digits(leak)});
   }
   if (bias.missing.empty()) {
     json["bin"] = place_of(pack, plane_json(bias.bin, bias.cause, stride));

@@ -29,7 +29,7 @@ Parameters describe(TruthParams& params) {
   return Description("truth")
       .field("spp", params.spp,
              {.unit = "rays",
-              .meaning = "rays per pixel, for AO and for each area light",
+              .meaning = "rays per pixel, for AO, area lights and pixel means",
               .min = 1,
               .max = 65536,
               .basic = true})

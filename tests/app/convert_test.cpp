@@ -146,7 +146,7 @@ TEST(Convert, An_offset_of_casters_has_its_own_name_and_defaults_say_that_they_a
   const ProgramResult result =
       convert({"courtyard", "--light", "sun", "--from", "unity-urp:shadowBias=2", "--to", "umbrameter"});
   EXPECT_NE(result.out.find("umbrameter  caster-offset"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("shadowNormalBias = 1 (texels × (1 − cos θ)), its default"), std::string::npos)
+  EXPECT_NE(result.out.find("shadowNormalBias = 1, its default (unit: texels × (1 − cos θ))"), std::string::npos)
       << result.out;
 }
 
@@ -164,10 +164,12 @@ TEST(Convert, A_point_light_has_the_defaults_of_point_lights) {
     return result.out;
   };
   const std::string lantern = from("lantern", "bevy");
-  expect_words(lantern, {"shadow_depth_bias = 0.08 (m), its default; shadow_normal_bias = 0.6 (√2 texels), its default",
-                         "// bias: no number everywhere: the nearest receiver of this image is "});
-  expect_words(from("spot", "bevy"), {"shadow_depth_bias = 0.02 (m), its default"});
-  expect_words(from("lantern", "bevy:shadow_depth_bias=0.02"), {"shadow_depth_bias = 0.02 (m); "});
+  expect_words(
+      lantern,
+      {"shadow_depth_bias = 0.08, its default (unit: m); shadow_normal_bias = 0.6, its default (unit: √2 texels)",
+       "// bias: no number everywhere: the nearest receiver of this image is "});
+  expect_words(from("spot", "bevy"), {"shadow_depth_bias = 0.02, its default (unit: m)"});
+  expect_words(from("lantern", "bevy:shadow_depth_bias=0.02"), {"shadow_depth_bias = 0.02 (unit: m); "});
 }
 
 TEST(Convert, A_lamp_has_its_nearest_and_its_farthest_receiver) {

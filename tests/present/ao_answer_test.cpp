@@ -30,9 +30,9 @@ TEST(AoAnswer, Absolute_and_signed_error_have_the_digits_of_the_wider_interval) 
             "AO: mean absolute error 10.645 to 10.752 %, mean signed error −8.974 ± 0.002 %, too dark (95 % intervals, "
             "over rays; SSAO "
             "radius 50 cm, reference rays up to 50 cm)");
-  // An interval so much narrower that it would read as ± 0.00.
+  // An interval so much narrower that it would read as ± 0.00 is rounded up.
   error.mae = {0.064, 0.0637, 0.0658};
-  EXPECT_NE(present_ao({}, ao).answers.at(0).find("6.37 to 6.58 %, mean signed error −8.97 %, too dark ("),
+  EXPECT_NE(present_ao({}, ao).answers.at(0).find("6.37 to 6.58 %, mean signed error −8.97 ± 0.01 %, too dark ("),
             std::string::npos)
       << present_ao({}, ao).answers.at(0);
   // An exact reference: no interval.

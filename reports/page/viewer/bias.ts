@@ -41,8 +41,9 @@ export function bias_text(bias: Bias, value: number): string {
   const short = (number: number) => number_text(Number(number.toPrecision(3)));
   const length = Math.abs(metres) < 0.01 ? `${short(1000 * metres)} mm`
     : Math.abs(metres) < 1 ? `${short(100 * metres)} cm` : `${short(metres)} m`;
-  if (bias.unit === 'depth') return `${short(value)} depth (${short(texels)} texels, ${length})`;
-  return `${short(texels)} texels (${length})`;
+  const average = bias.texels_differ ? ' on average' : '';
+  if (bias.unit === 'depth') return `${short(value)} depth (${short(texels)} texels, ${length}${average})`;
+  return bias.unit === 'm' ? `${length} (${short(texels)} texels${average})` : `${short(texels)} texels (${length}${average})`;
 }
 
 // "lit from 2.5 texels (6.7 cm)": the critical bias of a pixel, to within the step of the axis.

@@ -22,6 +22,7 @@ interface BiasHead {
   unit: 'm' | 'texels' | 'depth';
   unit_length: number; // of one unit, in metres
   mean_texel: number; // metres
+  texels_differ: boolean; // from pixel to pixel: texels are metres only on average
   used: number;
   axis: number[];
   shares: [number, number, number, number][];
