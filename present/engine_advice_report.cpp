@@ -120,7 +120,7 @@ std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
     searched = ": the bias was searched again for this and is " + length_text(*advice.own_bias) +
                (advice.own_bias->unit == LengthUnit::texels ? " of our map" : "");
   }
-  const char* errors = advice.measured     ? "; the errors are those of its numbers"
+  const char* errors = advice.measured     ? "; the errors are those of the numbers shown"
                        : advice.by_default ? "; the error is that of its default numbers"
                                            : "";
   const bool has_errors = errors[0] != '\0';

@@ -183,12 +183,12 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{} against {}; too dark {}, too bright {}; {} of the reference is penumbra (mean of "
-      "4V(1 − V), V the lit share of the {}); {}",
+      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the share of the {}); "
+      "{}",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
       percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra),
-      is_over_pixel ? "pixel" : "light; surfaces that face only a part of it count, too", no_advice_text(shadow)));
+      is_over_pixel ? "pixel that is lit" : "light that a pixel sees", no_advice_text(shadow)));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {

@@ -315,7 +315,7 @@ TEST_F(ForEngines, What_an_engine_draws_otherwise_than_the_run_is_said_with_the_
   };
   expect_words(lines({"--for", "three"}),
                {"note: three: it casts back faces: the bias was searched again for this and is ",
-                " of our map; the errors are those of its numbers, with a map drawn that way"});
+                " of our map; the errors are those of the numbers shown, with a map drawn that way"});
   const std::string set = lines({"--for", "three", "--shadow.faces", "back"});
   EXPECT_EQ(set.find("it casts"), std::string::npos) << set;
   EXPECT_EQ(lines({"--for", "three:shadowSide=double"}).find("it casts"), std::string::npos);
