@@ -51,7 +51,10 @@ std::string join_or(const std::vector<std::string>& names) {
 }
 
 [[noreturn]] void reject(const Parameter& parameter, const std::string& given) {
-  throw Error(ExitCode::usage, parameter.key, "'" + given + "' is not allowed", "expected " + parameter.limits());
+  const std::string& unit = parameter.description.unit;
+  const bool has_unit = std::holds_alternative<double*>(parameter.field) && !unit.empty() && unit != "1";
+  throw Error(ExitCode::usage, parameter.key, "'" + given + "' is not allowed",
+              "expected " + parameter.limits() + (has_unit ? ", in " + unit : ""));
 }
 
 // The choice's own name for a word that may be an alias.

@@ -124,7 +124,7 @@ TEST(Parameters, A_value_out_of_range_names_the_key_and_its_limits) {
   Sample sample;
   const Parameters parameters = describe(sample);
   const std::string message = message_of([&] { require(parameters, "sample.width").set_text("10.5"); });
-  EXPECT_EQ(message, "sample.width: '10.5' is not allowed; expected a number from 0 to 10");
+  EXPECT_EQ(message, "sample.width: '10.5' is not allowed; expected a number from 0 to 10, in m");
   EXPECT_EQ(sample.width, 0.25) << "a refused value changes nothing";
 }
 
