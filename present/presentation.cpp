@@ -125,9 +125,10 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
   if (precision.pixels == 0) return {};
   std::string text = fmt::format(
       "The 95 % confidence intervals account for the sampling noise of the reference. The interval of a single pixel "
-      "is ± {} % on average and ± {} % at most{}, with {:.0f} rays per pixel on average.",
+      "is ± {} % on average and ± {} % at most{}, with {:.0f} {} per pixel on average.",
       digits_text(100.0 * precision.mean_half_width, 2), digits_text(100.0 * precision.worst_half_width, 2),
-      is_over_pixel ? ", where few of a pixel's points see the surface of its centre" : "", precision.mean_samples);
+      is_over_pixel ? ", where few of a pixel's points see the surface of its centre" : "", precision.mean_samples,
+      is_over_pixel ? "points" : "rays");
   if (truth.tolerance > 0.0) {
     text += fmt::format(
         " {} of {} pixels stopped at truth.max-spp ({} rays) before they reached the tolerance of ± {:g} %.",
@@ -136,9 +137,10 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
   return text;
 }
 
-std::string precision_line(const SamplingPrecision& precision) {
-  std::string line = fmt::format("{:.0f} rays per pixel; 95 % interval of a pixel: ± {} % on average, ± {} % at most",
-                                 precision.mean_samples, digits_text(100.0 * precision.mean_half_width, 2),
+std::string precision_line(const SamplingPrecision& precision, bool is_over_pixel) {
+  std::string line = fmt::format("{:.0f} {} per pixel; 95 % interval of a pixel: ± {} % on average, ± {} % at most",
+                                 precision.mean_samples, is_over_pixel ? "points" : "rays",
+                                 digits_text(100.0 * precision.mean_half_width, 2),
                                  digits_text(100.0 * precision.worst_half_width, 2));
   if (precision.pixels_at_limit > 0) {
     line += fmt::format("; {} of {} pixels stopped at truth.max-spp", precision.pixels_at_limit, precision.pixels);

@@ -56,7 +56,7 @@ std::string offset_text(const TraceStatistics& statistics);
 /// The precision of a sampled reference; precision_text() is empty if nothing was sampled. `is_over_pixel`: it is the
 /// mean over the part of each pixel that shows the surface of its centre.
 std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth, bool is_over_pixel = false);
-std::string precision_line(const SamplingPrecision& precision);
+std::string precision_line(const SamplingPrecision& precision, bool is_over_pixel = false);
 
 /// The measurement must have stages.
 Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& ao);

@@ -246,8 +246,10 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
     const std::string what = each.light.empty() ? (each.kind == "ao" ? "AO" : each.kind) : each.light;
     for (const ComparedValue& value : each.values) {
       const char* cell = runs[value.run].command == "sweep" ? ", cell of least error" : "";
+      const std::string own = compared_text(value);
+      const std::string difference = interval_text(value.difference, 100.0);
       std::string line =
-          fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, compared_text(value),
+          fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, own,
                       value.interval == IntervalOf::pixels ? " (95 % interval, over pixels and rays)" : "");
       const bool is_compared = value.verdict != Verdict::base && value.verdict != Verdict::no_base;
       if (!is_compared && value.counted_blocks > 0) {
@@ -255,17 +257,18 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
       } else if (value.verdict == Verdict::equal) {
         line += fmt::format("; equal to that of {}", runs.front().name);
       } else if (is_compared) {
-        line += fmt::format("; difference to {} {} percentage points ({})", runs.front().name,
-                            interval_text(value.difference, 100.0), verdict_text(value));
+        line += fmt::format("; difference to {} {} percentage points ({})", runs.front().name, difference,
+                            verdict_text(value));
       }
-      shows_noise = shows_noise || (value.noise > 0.0 && line.find(" to ") != std::string::npos);
+      const auto is_range = [](const std::string& text) { return text.find(" to ") != std::string::npos; };
+      shows_noise = shows_noise || (value.noise > 0.0 && (is_range(own) || (is_compared && is_range(difference))));
       answers.push_back(std::move(line));
     }
   }
   if (shows_noise) {
     answers.emplace_back(
-        "noise of the reference can only raise an error: where rays sampled it, a range (… to …) also holds "
-        "what the error would be without; more rays (--truth.spp) shorten it");
+        "a range (… to …) also holds the error without the noise of its sampled reference, which can only raise it; "
+        "more rays (--truth.spp) shorten it");
   }
   for (const StoredRun& run : runs) {
     const auto of_ao = [&](std::string_view name) {

@@ -48,8 +48,9 @@ std::string truth_caption(const ShadowMeasurement& shadow) {
   if (!shadow.is_sampled) return common;
   const double samples = shadow.truth->precision.mean_samples;
   if (shadow.experiment.truth.shadow == ShadowReference::pixel) {
-    return fmt::format("{} Mean of {:.0f} rays over the part of each pixel that shows the surface of its centre.",
-                       common, samples);
+    return fmt::format(
+        "{} Mean over the part of each pixel that shows the surface of its centre, from {:.0f} points of the pixel.",
+        common, samples);
   }
   return fmt::format("{} The light is {}{}; {:.0f} rays per pixel measure the visible share of its {}.", common,
                      std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
@@ -312,7 +313,8 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   if (!shadow.statistics) {
     std::string line = fmt::format("{}: {} counted pixels", title, grouped(shadow.counted.totals[0]));
     if (shadow.raster) line += fmt::format(", mean texel {}", metres_text(shadow.counted.mean_texel));
-    if (shadow.truth && shadow.is_sampled) line += "; " + precision_line(shadow.truth->precision);
+    if (shadow.truth && shadow.is_sampled)
+      line += "; " + precision_line(shadow.truth->precision, experiment.truth.shadow == ShadowReference::pixel);
     presentation.answers.push_back(std::move(line));
     return presentation;
   }

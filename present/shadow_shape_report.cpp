@@ -60,7 +60,7 @@ std::string edges_text(const ErrorShape& shape) {
       grouped(shape.edges));
   if (shape.outside_penumbra) {
     text += fmt::format(
-        " {} of the error counts as outside the penumbra. Where the reference sees the share V of the light, "
+        " {} of the error counts as outside the penumbra. Where the reference is V, from 0 (blocked) to 1 (lit), "
         "4V(1 − V) of a pixel's error counts as inside: all of it at ½, none at 0 and 1. If all pixels of an even "
         "penumbra had the same error, a third of it would count as outside.",
         percent(*shape.outside_penumbra));
@@ -105,8 +105,8 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
         "pixels where, in the image, the reference shadow begins beside the caster: a gap below about a pixel "
         "counts, too"},
        {"without shadow", "px",
-        "contacts where the technique has no shadow before that of the reference ends: the gap is as long as the "
-        "reference shadow"},
+        "contacts where the technique has no shadow along the whole shadow of the reference: the gap is as long as "
+        "that shadow"},
        {"median contact gap", "m", gap + "median"},
        {"median contact gap", "texels", gap + "median"},
        {"median contact gap", "px", gap + "median"},
@@ -177,12 +177,12 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
           : std::string(
                 "Share of the error that is too dark, and of that too bright, within a distance of the nearest "
                 "edge of the hard shadow") +
-                (is_soft
-                     ? " of the light's centre. Errors of a cast penumbra lie within its width of that edge, or in a "
-                       "pixel beside it; self-shadowing, light leak and surfaces that face only a part of the light "
-                       "may err far from any edge."
-                     : ". A filter blurs edges over its width; self-shadowing, light leak and missing shadows may "
-                       "err far from any edge.");
+                (is_soft ? " of the light's centre. Errors of a cast penumbra lie no farther from that edge than the "
+                           "penumbra is wide, or in a pixel beside it; self-shadowing, light leak and surfaces that "
+                           "face only a part of the light "
+                           "may err far from any edge."
+                         : ". A filter blurs edges over its width; self-shadowing, light leak and missing shadows may "
+                           "err far from any edge.");
   figure.caption += no_edge;
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};

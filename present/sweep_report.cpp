@@ -24,6 +24,7 @@ constexpr std::size_t max_points = 16'000;  // of a plot
 constexpr std::size_t max_points_of_line = 2'000;
 constexpr std::size_t max_drawn_lines = 64;
 constexpr std::size_t max_best_rows = 1'000;
+constexpr std::size_t max_lines = 8;  // printed
 
 // How the axes are laid out in figures: x is the numeric axis with the most values, lines are the next, and every
 // combination of the rest gets a figure of its own.
@@ -174,12 +175,16 @@ std::vector<std::pair<PlotFigure, ChartCells>> make_plots(const SweepResults& sw
   return plots;
 }
 
-void add_plots(Presentation& presentation, const SweepResults& sweep, const Layout& layout,
-               const std::vector<Statistic>& statistics) {
+// What is left out is returned as a sentence.
+std::string add_plots(Presentation& presentation, const SweepResults& sweep, const Layout& layout,
+                      const std::vector<Statistic>& statistics) {
+  std::size_t all = statistics.size();
+  for (const std::size_t a : layout.rest) all *= count_values(sweep.plan, a);
   for (auto& [plot, cells] : make_plots(sweep, layout, statistics)) {
     add_figure(presentation, std::move(plot));
     presentation.section.charts.push_back(std::move(cells));
   }
+  return all > max_plots ? fmt::format(" Figures: the first {} of {}.", max_plots, all) : "";
 }
 
 // Rows of least error are listed for each value of these. Where biases are varied one bias is chosen for each
@@ -295,12 +300,14 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   if (sweep.quantity() == SweptQuantity::visibility && needs_biases(sweep.plan.axes))
     warnings.emplace_back(one_bias_warning);
   const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);
+  const std::vector<std::size_t> listed = listed_axes(sweep);
+  std::string left_out;
   if (curves && curves->varies_constant) {
     add_bias_figures(presentation, sweep, *curves, max_plots);
   } else {
-    add_plots(presentation, sweep, layout, drawn_statistics(sweep));
+    left_out = add_plots(presentation, sweep, layout, drawn_statistics(sweep));
   }
-  add_plots(presentation, sweep, layout, drawn_metrics(sweep));
+  left_out += add_plots(presentation, sweep, layout, drawn_metrics(sweep));
   if (is_flat) section.text = "All cells are equal: what is varied changes nothing here. ";
   if (!sweep.ao_limit.empty())
     section.text += "The reference looks for occluders " + sweep.ao_limit + " in every cell.";
@@ -313,12 +320,17 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (!curves) {
     std::size_t lines = 1;
-    for (const std::size_t a : listed_axes(sweep)) lines *= count_values(sweep.plan, a);
-    section.text += fmt::format("\n\nThe table lists the cell of least error for {} line{} of the figures.",
-                                best.rows.size() < lines ? fmt::format("the first {}", best.rows.size()) : "every",
-                                best.rows.size() < lines ? "s" : "");
+    for (const std::size_t a : listed) lines *= count_values(sweep.plan, a);
+    const std::string keys = joined(listed, " and ", [&](std::size_t a) { return sweep.plan.axes[a].key; });
+    section.text +=
+        fmt::format("\n\nThe table lists the cell of least error{}.",
+                    keys.empty() ? ""
+                    : best.rows.size() < lines
+                        ? fmt::format(" of {} combinations of {}", best.rows.size(), keys)
+                        : fmt::format(" of each {} of {}", listed.size() > 1 ? "combination" : "value", keys));
     section.tables.push_back({"Cells of least error", in_percent(best, axes, kind_of(sweep.quantity()))});
   }
+  if (!left_out.empty()) section.text += "\n\nsweep.csv has all cells." + left_out;
   if (curves) {
     present_bias(presentation, *curves);
   } else {
@@ -337,17 +349,26 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
                                          : filter_remedy("--run.metrics")));
   for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
   if (curves) return presentation;
-  const std::vector<std::size_t> listed = listed_axes(sweep);
   std::vector<std::size_t> others;
   for (std::size_t a = 0; a < axes; ++a) {
     if (std::ranges::find(listed, a) == listed.end()) others.push_back(a);
   }
+  std::vector<std::pair<double, std::string>> lines;
   for (const std::vector<Value>& row : best.rows) {
-    if (presentation.lines.size() > 8) break;
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
-    presentation.lines.push_back(fmt::format("  {}: least error {}{}", row_text(sweep, row, listed),
-                                             error_text(best, row),
-                                             others.empty() ? "" : " at " + row_text(sweep, row, others)));
+    const double number = to_number(row[mae]);
+    std::string line = fmt::format("  {}: least error {}{}", row_text(sweep, row, listed), error_text(best, row),
+                                   others.empty() ? "" : " at " + row_text(sweep, row, others));
+    // Cells that differ in what they do not read are the same.
+    if (std::ranges::find(lines, line, &std::pair<double, std::string>::second) != lines.end()) continue;
+    lines.emplace_back(std::isnan(number) ? std::numeric_limits<double>::infinity() : number, std::move(line));
+  }
+  const bool are_too_many = lines.size() > max_lines;
+  if (are_too_many) std::ranges::stable_sort(lines, {}, &std::pair<double, std::string>::first);
+  for (std::size_t i = 0; i < std::min(lines.size(), max_lines); ++i) presentation.lines.push_back(lines[i].second);
+  if (are_too_many) {
+    presentation.lines.push_back(fmt::format("  {} more have a larger error: table 'Cells of least error' of the page",
+                                             lines.size() - max_lines));
   }
   return presentation;
 }

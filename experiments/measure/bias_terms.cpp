@@ -90,9 +90,11 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
-    reason = "its bias is longer farther from the light, and on this map no unit of shadow.constant-bias is";
+    reason =
+        "the length of its bias changes with the distance from the light as no unit of shadow.constant-bias does on "
+        "this map";
     if (layout.kind == MapKind::perspective && layout.encoded_near == 0.0)
-      reason += "; with --shadow.depth-encoding perspective the map's depth is such a unit";
+      reason += "; the map's depth changes as it does with --shadow.depth-encoding perspective";
     return {};
   }
   const AtPlaces normal(places, terms, &BiasTerms::normal);

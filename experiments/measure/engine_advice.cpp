@@ -202,7 +202,8 @@ class EnginesOfLight {
 std::string no_engines_text(const Stages& stages, const Experiment& experiment, std::uint32_t light) {
   const bool has_curve =
       !stages.is_sampled(experiment, light) && stages.capabilities(experiment).taps_independent_of_bias;
-  const char* needed = has_curve ? "counted pixels" : "PCF, whose acne can be counted, and a hard shadow";
+  const char* needed =
+      has_curve ? "counted pixels" : "PCF, whose acne can be counted, and a hard reference (--truth.shadow point)";
   return stages.title(light) + ": no bias in the numbers of engines; that needs " + needed;
 }
 

@@ -158,7 +158,7 @@ class Search {
   // because it was searched better; then the local one from the best point of all.
   void search_numbers() {
     const std::size_t combinations = combinations_of_words();
-    result_.method = fmt::format("{}DIRECT-L, then subplex", words_.empty() ? "" : "for each combination of words ");
+    result_.method = fmt::format("DIRECT-L, then subplex{}", words_.empty() ? "" : ", for each combination of words");
     const std::size_t share = combinations == 1 ? limit_ : limit_ * 8 / 10 / combinations;
     // Few evaluations reach every combination, if not the last search.
     const std::size_t most = limit_ / combinations;

@@ -299,6 +299,19 @@ TEST_F(Answers, A_line_about_a_group_of_cells_names_it_though_its_best_cell_read
   expect_words(result.out, {"\n  shadow.receiver-plane false: least error ", " at shadow.technique vsm\n"});
 }
 
+TEST_F(Answers, Of_many_groups_the_best_are_printed_and_the_rest_is_counted) {
+  const ProgramResult result =
+      run_program({"sweep", "two-occluders", "--light", "spot", "--light.radius", "0.15", "--truth.spp", "64", "--vary",
+                   "shadow.filter=nearest,bilinear,box,tent,gaussian,poisson", "--vary", "shadow.filter-size=3,5,9",
+                   "--vary", "shadow.constant-bias=1texels:8texels:4:log", "--size", "96x54", "-o", folder_ / "out"});
+  // 18 combinations, of which nearest, bilinear and poisson do not read the size; the best one is the first line.
+  expect_words(result.out, {"\n  shadow.filter tent, shadow.filter-size 3 texels: least error ",
+                            "\n  3 more have a larger error: table 'Cells of least error' of the page\n"});
+  EXPECT_EQ(result.out.find("filter bilinear: "), result.out.rfind("filter bilinear: ")) << result.out;
+  const std::string page = text_of(folder_ / "out/index.html");
+  expect_words(page, {"of each combination of shadow.filter and shadow.filter-size.", "Figures: the first 12 of 24."});
+}
+
 TEST_F(Answers, Where_no_bias_is_recommended_the_reason_is_that_of_the_technique) {
   const auto of_box = [&](const std::vector<std::string>& settings) {
     return run(words({"compare", "contact-box", "--light", "sun", "--measure", "shadows", "--no-figures", "--force"},
