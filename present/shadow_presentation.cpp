@@ -64,12 +64,13 @@ void add_error_figure(Presentation& presentation, const SceneFacts& scene, const
 }
 
 // Whether the result is that of a shadow map, and so depends on its bias; screen-space shadows alone need none.
-bool reads_map(Experiment experiment) {
-  return renderer_title(experiment).empty() && find(read_parameters(experiment.shadow), constant_bias_key) != nullptr;
-}
+bool reads_map(Experiment experiment) { return find(read_parameters(experiment.shadow), constant_bias_key) != nullptr; }
+
+// Not of another renderer.
+bool is_our_map(const Experiment& experiment) { return renderer_title(experiment).empty() && reads_map(experiment); }
 
 void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
-  if (!reads_map(shadow.experiment)) return;
+  if (!is_our_map(shadow.experiment)) return;
   Table table{plain_columns({"constant bias", "value", "unit"}), {}};
   const double texel = shadow.counted.mean_texel;
   const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit);
@@ -101,20 +102,21 @@ TechniqueCapabilities capabilities_of(const ShadowMeasurement& shadow) {
   return umbrameter::capabilities_of(make_technique(shadow.experiment.shadow));
 }
 
-// Why no bias is recommended, and what finds one.
+// "; no bias recommended: ...", and what finds one; nothing for another renderer, whose bias is not known.
 std::string no_advice_text(const ShadowMeasurement& shadow) {
+  if (!renderer_title(shadow.experiment).empty()) return {};
   const TechniqueCapabilities technique = capabilities_of(shadow);
   const std::string flags = shadow.experiment.truth.shadow == ShadowReference::pixel
                                 ? "--truth.shadow point"
                                 : flags_without_extent(shadow.emitter);
   const std::string name = technique_name(shadow.experiment);
-  if (!reads_map(shadow.experiment)) return fmt::format("no bias recommended: {} reads no shadow map", name);
+  if (!reads_map(shadow.experiment)) return fmt::format("; no bias recommended: {} reads no shadow map", name);
   const std::string reason =
       !technique.sums_comparisons && !technique.reads_light_extent
           ? "acne cannot be counted for " + name + ", as its result is no sum of depth comparisons"
       : !technique.taps_independent_of_bias ? "the kernel of " + name + " depends on the bias"
                                             : "acne can be counted only in a hard shadow (" + flags + ")";
-  return "no bias recommended: " + reason + "; umbrameter tune finds the bias of least error";
+  return "; no bias recommended: " + reason + "; umbrameter tune finds the bias of least error";
 }
 
 void present_edge_error(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
@@ -147,7 +149,7 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
   if (of_map) section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(fmt::format(
       "{}: error {}{}; at shadow edges (at most {:g} texels away or in a pixel beside one) too dark {} and too bright "
-      "{}, elsewhere too dark {} and too bright {}; {}",
+      "{}, elsewhere too dark {} and too bright {}{}",
       title, percent(s.mae), few_pixels_text(s.pixels), edge_band_texels, percent(s.too_dark_at_edge),
       percent(s.too_bright_at_edge), percent(s.too_dark_away), percent(s.too_bright_away), no_advice_text(shadow)));
 }
@@ -184,8 +186,8 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the share of the {}); "
-      "{}",
+      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the share of the "
+      "{}){}",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
       percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra),
@@ -300,7 +302,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   }
   if (shadow.raster) {
     add_layer_figure(presentation, layers, Layer::raster_visibility, layer,
-                     (reads_map(experiment) ? "Shadow map: " : "Shadow: ") + title, technique_caption(shadow));
+                     (is_our_map(experiment) ? "Shadow map: " : "Shadow: ") + title, technique_caption(shadow));
   }
   if (shadow.stored_depths && shadow.stored_depths->range && reads_map(experiment)) {
     presentation.details.push_back(title + ": " + stored_depths_text(shadow));
@@ -370,8 +372,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
     const std::string by = renderer.empty() ? "" : ", " + renderer;
     const std::string at = renderer.empty() ? " at a bias of " + length_text(experiment.shadow.bias.constant) : "";
     // Of a sweep's cell the sweep itself tells the bias.
-    const std::string why_no_bias =
-        capabilities_of(shadow).taps_independent_of_bias ? "" : "; " + no_advice_text(shadow);
+    const std::string why_no_bias = capabilities_of(shadow).taps_independent_of_bias ? "" : no_advice_text(shadow);
     presentation.answers.push_back(
         fmt::format("{}{}: error {}{}{}; {}{}", title, by, percent(s.mae), few_pixels_text(s.pixels), at, parts,
                     renderer.empty() ? why_no_bias : " (causes: " + shadow.cause_source + ")"));

@@ -197,6 +197,11 @@ TEST_F(EngineRun, A_mask_from_a_file_gives_the_statistics_of_the_run_that_wrote_
   EXPECT_NE(page.find("contact-box: frame against reference"), std::string::npos);
   EXPECT_NE(page.find("There is no bias slider: only an image is known (frame of "), std::string::npos);
   expect_same_page_in_report(folder_ / "drawn", folder_ / "again", {"class_sun.png"});
+  // Its bias is not ours to tune.
+  const ProgramResult soft = run(evaluate(ours, {"--light.angle", "2"}), "soft");
+  ASSERT_EQ(soft.exit_code, 0) << soft.err;
+  EXPECT_NE(soft.out.find(" against its soft shadow (2° across); "), std::string::npos) << soft.out;
+  EXPECT_EQ(soft.out.find("bias"), std::string::npos) << soft.out;
 }
 
 // Two frames of which the one without shadows is black where the reference is dark: nothing is known there.
