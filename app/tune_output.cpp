@@ -31,8 +31,8 @@ std::string bias_comment(const TuneSummary& summary) {
            withheld_text(*result.withheld, result.evidence) + ".\n";
   }
   if (!result.recommended) return {};
-  return "# shadow.constant-bias is the recommended one, with a cost within the range of the least and acne of at most "
-         "0.1 %;\n# the best point: " +
+  return "# Its constant bias is the smallest with a cost within the range of the least and acne of at most 0.1 %.\n"
+         "# The best point: " +
          point_text(summary.axes, result.best.values) + ".\n";
 }
 
@@ -43,16 +43,18 @@ std::string tuned_text(const TuneJob& job, const TuneSummary& summary) {
     return "# `umbrameter tune` found no difference between the points: these are the given values.\n" +
            experiment_text(tuned);
   }
-  const std::vector<Value>& values = point_to_use(summary.result).values;
+  const TunePoint& point = point_to_use(summary.result);
   for (std::size_t a = 0; a < job.axes.size(); ++a) {
     if (summary.result.withheld && job.axes[a].key() == constant_bias_key) continue;
-    set_value(describe(tuned), job.axes[a].axis, values[a]);
+    set_value(describe(tuned), job.axes[a].axis, point.values[a]);
   }
   const std::size_t cases = summary.cases.size();
   const std::string over =
       cases > 1 ? fmt::format(", {} of {} cases", summary.goal.is_worst_case ? "the worst" : "the mean", cases) : "";
-  return fmt::format("# The best point of `umbrameter tune`: {} = {}{}.\n", cost_name(summary.goal),
-                     cost_text(summary.goal, summary.result.best.score.cost), over) +
+  return fmt::format("# The {} point of `umbrameter tune`{}: {} = {}{}.\n",
+                     summary.result.recommended ? "recommended" : "best",
+                     summary.result.withheld ? ", with its own constant bias" : "", cost_name(summary.goal),
+                     cost_text(summary.goal, point.score.cost), over) +
          bias_comment(summary) + experiment_text(tuned);
 }
 

@@ -170,6 +170,7 @@ TEST_F(Tune, A_recommended_bias_has_three_digits) {
   ASSERT_EQ(again.exit_code, 0) << again.err;
   const Json of_run = Json::parse(text_of(folder_ / "again/summary.json")).at("shadows").at(0).at("statistics");
   EXPECT_NEAR(of_run.at("mae").get<double>(), recommended.at("cost").get<double>(), 1e-12);
+  EXPECT_TRUE(text_of(folder_ / "digits/tuned.toml").starts_with("# The recommended point of "));
 }
 
 TEST_F(Tune, A_held_out_camera_says_of_both_points_which_constraint_they_break) {
