@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t max_casters = 12;  // that the page lists
 
 constexpr std::string_view units_note =
-    "Metres lie along the surface; texels count only the part across the light. Median and largest are taken in each "
-    "unit separately.";
+    "Metres are straight lines in the scene; texels count only the part across the light. Median and largest are taken "
+    "in each unit separately.";
 
 constexpr std::array<std::string_view, 2> soft_titles = {"too dark", "too bright"};
 
@@ -27,9 +27,11 @@ Table distance_table(const ErrorShape& shape) {
   Table table;
   table.columns = {{"error", "", "part of the error"}};
   for (const auto& [unit, where] :
-       {std::pair{"texels", "perpendicular to the light"}, {"px", "in the image"}, {"m", "in the world"}}) {
+       {std::pair{"texels", "perpendicular to the light"}, {"px", "in the image"}, {"m", "in the scene"}}) {
     for (const char* which : {"median", "95th percentile", "largest"}) {
-      table.columns.push_back({which, unit, std::string("distance to the nearest edge of the hard shadow, ") + where});
+      table.columns.push_back(
+          {which, unit,
+           std::string("distance to that edge of the hard shadow that is nearest in the image, ") + where});
     }
   }
   table.columns.push_back({"within 1 texel", "%", "share of this error at most one texel from an edge"});
@@ -102,8 +104,7 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
   Table table{
       {{"caster", "", "object that casts the shadow; most pixels first"},
        {"contacts", "px",
-        "pixels where, in the image, the reference shadow begins beside the caster: a gap below about a pixel "
-        "counts, too"},
+        "pixels where, in the image, the reference shadow begins beside the caster or less than about a pixel from it"},
        {"without shadow", "px",
         "contacts where the technique has no shadow along the whole shadow of the reference: the gap is as long as "
         "that shadow"},
@@ -166,24 +167,23 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   PlotFigure figure;
   figure.stem = "edge_distance_" + layer;
   figure.title = "Distance of errors from shadow edges: " + title;
-  const std::string no_edge =
-      " Where a shadow ends at an object's outline or is thinner than a pixel, the image has no edge, and errors there "
-      "count as far from one.";
-  figure.caption =
-      shape.components
-          ? "Share of each cause's error within a distance of the nearest edge of the hard shadow. Most aliasing lies "
-            "within one or two texels of an edge, or in a pixel beside it; a filter blurs edges over its width, and "
-            "acne may lie far from any edge."
-          : std::string(
-                "Share of the error that is too dark, and of that too bright, within a distance of the nearest "
-                "edge of the hard shadow") +
-                (is_soft ? " of the light's centre. Errors of a cast penumbra lie no farther from that edge than the "
-                           "penumbra is wide, or in a pixel beside it; self-shadowing, light leak and surfaces that "
-                           "face only a part of the light "
-                           "may err far from any edge."
-                         : ". A filter blurs edges over its width; self-shadowing, light leak and missing shadows may "
-                           "err far from any edge.");
-  figure.caption += no_edge;
+  const char* part = shape.components ? "each cause's error" : "the error that is too dark, and of that too bright,";
+  const char* reasons =
+      shape.components ? "Most aliasing lies within one or two texels of an edge, or in a pixel beside it; a filter "
+                         "blurs edges over "
+                         "its width, and acne may lie far from any edge."
+      : is_soft
+          ? "Errors of a cast penumbra lie no farther from an edge than the penumbra is wide, or in a pixel beside it; "
+            "a "
+            "filter adds its width; self-shadowing, light leak and surfaces that face only a part of the light may err "
+            "far from any edge."
+          : "A filter blurs edges over its width; self-shadowing, light leak and missing shadows may err far from any "
+            "edge.";
+  figure.caption = fmt::format(
+      "Share of {} within a distance of the edge of the hard shadow{} that is nearest in the image. {} Where a shadow "
+      "ends at an object's outline or is thinner than a pixel, the image has no edge, and errors there count as far "
+      "from one.",
+      part, is_soft ? " of the light's centre" : "", reasons);
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};
   figure.series = "part";

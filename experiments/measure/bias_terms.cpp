@@ -91,10 +91,10 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
     reason =
-        "the length of its bias changes with the distance from the light as no unit of shadow.constant-bias does on "
-        "this map";
+        "its bias has another length at each distance from the light, and on this map no unit of shadow.constant-bias "
+        "varies likewise";
     if (layout.kind == MapKind::perspective && layout.encoded_near == 0.0)
-      reason += "; the map's depth changes as it does with --shadow.depth-encoding perspective";
+      reason += "; with --shadow.depth-encoding perspective a bias in the map's depth does";
     return {};
   }
   const AtPlaces normal(places, terms, &BiasTerms::normal);

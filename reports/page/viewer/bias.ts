@@ -43,7 +43,7 @@ export function bias_text(bias: Bias, value: number): string {
     : Math.abs(metres) < 1 ? `${short(100 * metres)} cm` : `${short(metres)} m`;
   const average = bias.texels_differ ? ' on average' : '';
   if (bias.unit === 'depth') return `${short(value)} depth (${short(texels)} texels, ${length}${average})`;
-  return bias.unit === 'm' ? `${length} (${short(texels)} texels${average})` : `${short(texels)} texels (${length}${average})`;
+  return bias.unit === 'm' ? `${short(texels)} texels${average} (${length})` : `${short(texels)} texels (${length}${average})`;
 }
 
 // "lit from 2.5 texels (6.7 cm)": the critical bias of a pixel, to within the step of the axis.
