@@ -190,10 +190,11 @@ ErrorShape analyze_error_shape(const ShapeInput& input, const Image<float>& rast
   ErrorShape shape = measure_distances(input, soft_part_names.size(), 1.0, [&](std::size_t i) {
     const float error = raster[i] - input.truth[i];
     const double variance = is_exact ? 0.0 : static_cast<double>((*input.truth_variance)[i]);
-    outside += (1.0 - penumbra_weight(input.truth[i], variance)) * static_cast<double>(std::abs(error));
+    outside += static_cast<double>(std::abs(error)) - penumbra_error(raster[i], input.truth[i], variance);
     return Weights{std::max(-error, 0.0f), std::max(error, 0.0f)};
   });
-  shape.outside_penumbra = shape.all.weight > 0.0 ? outside / shape.all.weight : 0.0;
+  // Chance may take it a little beyond.
+  shape.outside_penumbra = shape.all.weight > 0.0 ? std::clamp(outside / shape.all.weight, 0.0, 1.0) : 0.0;
   return shape;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "flat_ground.h"
 
@@ -136,6 +137,29 @@ TEST(ErrorShape, Pieces_are_counted_in_all_and_by_class) {
   EXPECT_EQ(shape.class_components[1].largest_area, 3u);
   EXPECT_EQ(shape.class_components[2].count, 1u);
   EXPECT_EQ(shape.class_components[3].count, 0u);
+}
+
+// Noise of V is in the error and in its weight, so that their product alone would have a bias.
+TEST(ErrorShape, The_share_outside_the_penumbra_is_right_with_few_rays) {
+  constexpr int rays = 16;
+  constexpr double visibility = 0.25;  // the weight of the penumbra is 4 · ¼ · ¾
+  Row row;
+  const Image<float> raster(row.truth.width, row.truth.height, 1.0f);
+  Image<float> variance = row.truth;
+  std::mt19937 random(1);
+  std::binomial_distribution<int> lit(rays, visibility);
+  constexpr int draws = 1000;
+  double mean = 0.0;
+  for (int draw = 0; draw < draws; ++draw) {
+    for (std::size_t i = 0; i < row.truth.size(); ++i) {
+      row.truth[i] = static_cast<float>(lit(random)) / rays;
+      variance[i] = row.truth[i] * (1.0f - row.truth[i]) / (rays - 1);
+    }
+    ShapeInput input = row.input();
+    input.truth_variance = &variance;
+    mean += *analyze_error_shape(input, raster).outside_penumbra / draws;
+  }
+  EXPECT_NEAR(mean, 0.25, 0.01);
 }
 
 TEST(ErrorShape, A_share_is_split_by_sign_and_by_the_penumbra) {
