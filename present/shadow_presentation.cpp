@@ -283,6 +283,15 @@ std::string stored_depths_text(const ShadowMeasurement& shadow) {
       value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit);
 }
 
+// With all digits where fewer would be those of the recommended bias, which is another.
+std::string given_bias_text(const ShadowMeasurement& shadow) {
+  const Length& given = shadow.experiment.shadow.bias.constant;
+  const BiasAdvice& advice = *shadow.advice;
+  const Length recommended{advice.plateau.recommended.constant, advice.unit};
+  const bool reads_alike = given != recommended && length_text(given) == length_text(recommended);
+  return reads_alike ? with_unit(fmt::format("{:.6g}", given.number), unit_name(given.unit)) : length_text(given);
+}
+
 Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& layers,
                                   const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
@@ -365,9 +374,8 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   if (shadow.advice) {
     presentation.answers.push_back(title + ": " + advice_text(*shadow.advice));
     // Before the lines for engines, which are about another bias.
-    presentation.lines.insert(
-        presentation.lines.begin(),
-        fmt::format("  {} at {}: {}", title, length_text(experiment.shadow.bias.constant), parts));
+    presentation.lines.insert(presentation.lines.begin(),
+                              fmt::format("  {} at {}: {}", title, given_bias_text(shadow), parts));
   } else {
     const std::string by = renderer.empty() ? "" : ", " + renderer;
     const std::string at = renderer.empty() ? " at a bias of " + length_text(experiment.shadow.bias.constant) : "";

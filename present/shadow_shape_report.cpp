@@ -133,7 +133,8 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
 }
 
 ReportTable caster_report(const SceneFacts& scene, const std::vector<CasterShape>& casters) {
-  ReportTable report{"Contact gap and shadow inset by caster, acne left out", caster_table(scene, casters)};
+  ReportTable report{"Contact gap and shadow inset by caster", caster_table(scene, casters)};
+  report.remarks.emplace_back("Acne is taken out of the technique's shadow first.");
   report.remarks.emplace_back(units_note);
   if (casters.size() <= max_casters) return report;
   report.title += fmt::format(": the {} of {} with most contacts and edges", max_casters, casters.size());

@@ -128,7 +128,7 @@ Table settings_table(Experiment experiment) {
   Table table{{{"parameter", "", "full name: flag, key and column"},
                {"value", "", "value in this run; for a varied parameter, its axis"},
                {"default", "", "value without the flag"},
-               {"unit", "", "of numbers without one of their own"},
+               {"unit", "", "unit of a number that is written without one"},
                {"meaning", "", "what it sets"}},
               {}};
   Experiment defaults;

@@ -44,19 +44,19 @@ class Keywords(TypedDict, total=False):
     shadow_split_range: Literal['seen', 'camera']
     """depths that the cascades divide: those seen, or near plane to shadow.max-distance; seen or camera. Default: seen."""
     shadow_max_distance: float
-    """farthest depth of the range camera [m]; a number from 1e-06 to 1e+12. Default: 100.0."""
+    """with split-range camera: farthest depth that the cascades divide [m]; a number from 1e-06 to 1e+12. Default: 100.0."""
     shadow_fit: Literal['scene', 'view', 'bounds']
     """area of a directional light's only map or last cascade; scene, view or bounds. Default: scene."""
     shadow_fit_x: float
-    """centre of the area bounds, in the world [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    """with fit bounds: centre of the area, in the world [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_fit_y: float
-    """centre of the area bounds, in the world [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    """with fit bounds: centre of the area, in the world [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_fit_z: float
-    """centre of the area bounds, in the world [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    """with fit bounds: centre of the area, in the world [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_fit_size: float
-    """side of the area bounds, perpendicular to the light [m]; a number from 1e-06 to 1e+12. Default: 10.0."""
+    """with fit bounds: side of the area, perpendicular to the light [m]; a number from 1e-06 to 1e+12. Default: 10.0."""
     shadow_fit_depth: float
-    """depth range of the area bounds about its centre; 0: the scene's [m]; a number from 0 to 1e+12. Default: 0.0."""
+    """with fit bounds: depth range of the area about its centre; 0: the scene's [m]; a number from 0 to 1e+12. Default: 0.0."""
     shadow_cascade_fit: Literal['tight', 'stable', 'boxes']
     """area of a cascade: around what is seen, the frustum in whole texels, or the frustum within the boxes of objects; tight, stable or boxes. Default: tight."""
     shadow_cascade_selection: Literal['map', 'depth']
@@ -84,7 +84,7 @@ class Keywords(TypedDict, total=False):
     shadow_depth_far: float
     """far plane of perspective encodings; 0: the farthest surface [m]; a number from 0 to 1e+12. Default: 0.0."""
     shadow_receiver_precision: Literal['full', 'single']
-    """of receivers' depths in a spot light's perspective encoding; single: as in engines; full or single. Default: full."""
+    """precision of receivers' depths in a spot light's perspective encoding; single: as in engines; full or single. Default: full."""
     shadow_depth_comparison: Literal['less-equal', 'less']
     """with receivers in single precision: what is lit, compared with the stored depth; less-equal or less. Default: less-equal."""
     shadow_faces: Literal['all', 'front', 'back']
@@ -226,7 +226,7 @@ class Keywords(TypedDict, total=False):
     ao_gtao_distribution: float
     """GTAO: exponent of the steps' distances; a number from 0.1 to 10. Default: 2.0."""
     ao_gtao_thin_compensation: float
-    """GTAO: depth differences in the falloff count 1 plus this times: thin occluders fade sooner; a number from 0 to 100. Default: 0.0."""
+    """GTAO: the falloff multiplies depth differences by 1 + this: thin occluders fade sooner; a number from 0 to 100. Default: 0.0."""
     ao_gtao_power: float
     """GTAO: exponent of the result; a number from 0.1 to 10. Default: 2.2."""
     ao_hbao_directions: int

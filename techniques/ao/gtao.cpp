@@ -15,7 +15,7 @@ Parameters describe(GtaoParams& params) {
              {.unit = "1", .meaning = "GTAO: exponent of the steps' distances", .min = 0.1, .max = 10.0})
       .field("gtao-thin-compensation", params.thin_compensation,
              {.unit = "1",
-              .meaning = "GTAO: depth differences in the falloff count 1 plus this times: thin occluders fade sooner",
+              .meaning = "GTAO: the falloff multiplies depth differences by 1 + this: thin occluders fade sooner",
               .min = 0.0,
               .max = 100.0})
       .field("gtao-power", params.power,

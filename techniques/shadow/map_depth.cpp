@@ -59,7 +59,8 @@ Parameters describe(MapDepthParams& params) {
              {.unit = "m", .meaning = "far plane of perspective encodings; 0: the farthest surface", .min = 0})
       .choice(
           "receiver-precision", params.receiver_precision, precision_names,
-          {.unit = {}, .meaning = "of receivers' depths in a spot light's perspective encoding; single: as in engines"})
+          {.unit = {},
+           .meaning = "precision of receivers' depths in a spot light's perspective encoding; single: as in engines"})
       .choice(
           "depth-comparison", params.comparison, comparison_names,
           {.unit = {}, .meaning = "with receivers in single precision: what is lit, compared with the stored depth"})

@@ -44,16 +44,24 @@ Parameters describe(MapFitParams& params) {
           "split-range", params.split_range, split_range_names,
           {.unit = {}, .meaning = "depths that the cascades divide: those seen, or near plane to shadow.max-distance"})
       .field("max-distance", params.max_distance,
-             {.unit = "m", .meaning = "farthest depth of the range camera", .min = 1e-6, .max = 1e12})
+             {.unit = "m",
+              .meaning = "with split-range camera: farthest depth that the cascades divide",
+              .min = 1e-6,
+              .max = 1e12})
       .choice("fit", params.fit, map_fit_names,
               {.unit = {}, .meaning = "area of a directional light's only map or last cascade"})
-      .field("fit-x", params.fit_x, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
-      .field("fit-y", params.fit_y, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
-      .field("fit-z", params.fit_z, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
+      .field("fit-x", params.fit_x, {.unit = "m", .meaning = "with fit bounds: centre of the area, in the world"})
+      .field("fit-y", params.fit_y, {.unit = "m", .meaning = "with fit bounds: centre of the area, in the world"})
+      .field("fit-z", params.fit_z, {.unit = "m", .meaning = "with fit bounds: centre of the area, in the world"})
       .field("fit-size", params.fit_size,
-             {.unit = "m", .meaning = "side of the area bounds, perpendicular to the light", .min = 1e-6, .max = 1e12})
+             {.unit = "m",
+              .meaning = "with fit bounds: side of the area, perpendicular to the light",
+              .min = 1e-6,
+              .max = 1e12})
       .field("fit-depth", params.fit_depth,
-             {.unit = "m", .meaning = "depth range of the area bounds about its centre; 0: the scene's", .min = 0})
+             {.unit = "m",
+              .meaning = "with fit bounds: depth range of the area about its centre; 0: the scene's",
+              .min = 0})
       .choice("cascade-fit", params.cascade_fit, cascade_fit_names,
               {.unit = {},
                .meaning = "area of a cascade: around what is seen, the frustum in whole texels, or the frustum within "

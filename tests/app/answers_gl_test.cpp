@@ -312,6 +312,13 @@ TEST_F(Answers, Of_many_groups_the_best_are_printed_and_the_rest_is_counted) {
   expect_words(page, {"of each combination of shadow.filter and shadow.filter-size.", "Figures: the first 12 of 24."});
 }
 
+TEST_F(Answers, A_bias_beside_the_recommended_one_does_not_read_like_it) {
+  const ProgramResult result =
+      run_program({"compare", "contact-box", "--light", "sun-low", "--measure", "shadows", "--no-figures", "--size",
+                   "480x270", "--shadow.constant-bias", "1.499texels", "-o", folder_ / "out"});
+  expect_words(result.out, {"sun-low: use bias 1.5 texels", "\n  sun-low at 1.499 texels: acne "});
+}
+
 TEST_F(Answers, Where_no_bias_is_recommended_the_reason_is_that_of_the_technique) {
   const auto of_box = [&](const std::vector<std::string>& settings) {
     return run(words({"compare", "contact-box", "--light", "sun", "--measure", "shadows", "--no-figures", "--force"},

@@ -43,8 +43,8 @@ TEST(ShadowShapeReport, The_table_of_casters_shows_lost_contacts_and_edges_witho
   leaf.unmatched = 28;
   Presentation presentation;
   present_shape(presentation, scene, shadow);
-  const auto report = std::ranges::find(presentation.section.tables,
-                                        "Contact gap and shadow inset by caster, acne left out", &ReportTable::title);
+  const auto report =
+      std::ranges::find(presentation.section.tables, "Contact gap and shadow inset by caster", &ReportTable::title);
   ASSERT_NE(report, presentation.section.tables.end());
   const auto cell = [&](const char* column) {
     return to_string(report->table.rows.at(0)[column_index(report->table, column)]);
