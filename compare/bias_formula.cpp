@@ -124,7 +124,7 @@ bool is_outside(const BiasFormula& formula, const FormulaPoint& point) {
          (formula.term(FormulaTerm::depth_step) && !is_within(formula.depth_step, point.facts.depth_step));
 }
 
-std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
+std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all, AxisRounding rounding) {
   const auto has_radius = [](const FormulaPoint& point) { return std::isfinite(point.facts.radius); };
   const bool needs_radius = std::ranges::any_of(all, has_radius);
   std::vector<FormulaPoint> points;
@@ -156,10 +156,13 @@ std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
   double squares = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i) squares += std::pow(solved->predict(rows[i], count) - right[i], 2);
   const double variance = std::max(squares / static_cast<double>(fitted.size() - count), axis_variance);
-
+  // What each term becomes if every bias is a step larger. The RMS of a rounding is 1/√12 of a step, upwards 1/√3.
+  const std::optional<LeastSquares> step = solve_least_squares(rows, std::vector<double>(rows.size(), 1.0), count);
+  const double rounding_variance = rounding == AxisRounding::up ? 4.0 * axis_variance : axis_variance;
   for (std::size_t t = 0; t < count; ++t) {
-    formula.terms[static_cast<std::size_t>(terms[t])] =
-        Fitted{solved->value[t], std::sqrt(std::max(solved->covariance[t][t], 0.0) * variance)};
+    const double of_scatter = std::max(solved->covariance[t][t], 0.0) * variance;
+    const double of_rounding = rounding_variance * step->value[t] * step->value[t];
+    formula.terms[static_cast<std::size_t>(terms[t])] = Fitted{solved->value[t], std::sqrt(of_scatter + of_rounding)};
   }
   for (const FormulaPoint& point : points) {
     const double residual = std::abs(point.bias - bias_of(formula, point));

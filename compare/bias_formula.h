@@ -69,12 +69,18 @@ bool is_outside(const BiasFormula& formula, const FormulaPoint& point);
 /// linear in it.
 inline constexpr std::size_t min_formula_values = 2;
 
+/// How the axis rounds a bias: to the nearest of its values, or up to the next.
+enum class AxisRounding { nearest, up };
+
 /// Least squares with each point weighted by 1/step². Points that agree in all that the terms depend on count as one,
 /// their mean. Terms whose fact takes fewer than min_formula_values values are
 /// refused, as is that of the depth step if its values differ by less than the median step of the bias axis. Standard
-/// errors come from the scatter, which counts as no less than that of biases anywhere within their step. Points are
-/// left out whose depth per texel is not finite, and those whose radius is not known, unless no point's is. Empty
-/// without a term besides c0, or with no more independent points than unknowns.
-std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> points);
+/// errors come from the scatter, which counts as no less than that of biases anywhere within their step, and from the
+/// rounding to the axis, which counts as the same share of a step at every point: on an axis in texels it is, where
+/// only the resolution varies, and more points do not average it out. Points are left out whose depth per texel is not
+/// finite, and those whose radius is not known, unless no point's is. Empty without a term besides c0, or with no more
+/// independent points than unknowns.
+std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> points,
+                                       AxisRounding rounding = AxisRounding::nearest);
 
 }  // namespace umbrameter

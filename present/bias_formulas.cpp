@@ -64,7 +64,8 @@ std::string errors_text(const BiasFormula& formula) {
     const double error = term->standard_error;
     text += (text.empty() ? "standard errors " : ", ") +
             (*symbol == 0 ? metres_text(error, 2) : fmt::format("{:.2g}{}", error, symbol));
-    if (!printed_term(formula, which)) text += *symbol == 0 ? " (of a constant of 0)" : " (of a factor of 0)";
+    if (!printed_term(formula, which))
+      text += *symbol == 0 ? " (of the constant, which is left out as 0)" : " (of a factor left out as 0)";
   };
   add(FormulaTerm::constant, "");
   add(FormulaTerm::slope, "·Δz");

@@ -27,11 +27,10 @@ Table distance_table(const ErrorShape& shape) {
   Table table;
   table.columns = {{"error", "", "part of the error"}};
   for (const auto& [unit, where] :
-       {std::pair{"texels", "perpendicular to the light"}, {"px", "in the image"}, {"m", "in the scene"}}) {
+       {std::pair{"texels", "across the light"}, {"px", "in pixels"}, {"m", "in the scene"}}) {
     for (const char* which : {"median", "95th percentile", "largest"}) {
       table.columns.push_back(
-          {which, unit,
-           std::string("distance to that edge of the hard shadow that is nearest in the image, ") + where});
+          {which, unit, fmt::format("distance {} to the edge of the hard shadow that is nearest in the image", where)});
     }
   }
   table.columns.push_back({"within 1 texel", "%", "share of this error at most one texel from an edge"});

@@ -22,7 +22,7 @@ std::string pair_text(const TuneAxis& axis, const Value& a, const Value& b, cons
   return first + between + second;
 }
 
-// The measured values next to the range: it ends somewhere before them. "; outside: 0.0841 and 0.484 texels".
+// The measured values next to the range: it ends somewhere before them. "; no longer at 0.0841 and 0.484 texels".
 std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const std::pair<Value, Value>& range) {
   const TuneAxis& axis = summary.axes[scan.axis];
   const bool is_exact = summary.result.plateau && axis.key() == constant_bias_key;
@@ -34,8 +34,8 @@ std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const
     if (to_number(value) > to_number(range.second) && !above) above = value;
   }
   if (!below && !above) return {};
-  if (below && above) return fmt::format("; outside: {}", pair_text(axis, *below, *above, " and "));
-  return fmt::format("; outside: {}", value_text(axis, below ? *below : *above));
+  if (below && above) return fmt::format("; no longer at {}", pair_text(axis, *below, *above, " and "));
+  return fmt::format("; no longer at {}", value_text(axis, below ? *below : *above));
 }
 
 std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
@@ -126,7 +126,7 @@ Table sensitivity_table(const TuneSummary& summary) {
              : std::string("range around it in which the cost is at most 5 % higher")) +
             ": of a constant bias from its whole curve where that was measured, else of the measured values, of which "
             "the nearest outside are named; values that break a constraint are outside"},
-       {"highest measured", "", "cost on the measured values of the axis, the others as in the best point"}},
+       {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};
   for (const AxisScan& scan : summary.result.scans) {
     const TuneAxis& axis = summary.axes[scan.axis];

@@ -178,7 +178,7 @@ void add_formulas(BiasCurves& curves) {
         }
       }
       of.left_out = left_out.size();
-      of.formula = fit_formula(of.points);
+      of.formula = fit_formula(of.points, kind == FormulaOf::least_error ? AxisRounding::nearest : AxisRounding::up);
       add_warnings(curves, of, left_out);
       curves.formulas.push_back(std::move(of));
     }

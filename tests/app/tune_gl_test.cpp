@@ -113,7 +113,7 @@ TEST_F(Tune, Says_of_which_of_several_cases_a_number_is) {
                    "--over", "view.camera=overview,front-row", "--vary", "shadow.constant-bias=0texels:8texels"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out.find("use constant-bias "), 0u) << result.out;
-  expect_words(result.out, {" %, the mean of 2 cases, acne at most ", "), the mean of 2 cases\n", "highest measured"});
+  expect_words(result.out, {" %, the mean of 2 cases, acne at most ", "), the mean of 2 cases\n", "highest cost"});
 }
 
 TEST_F(Tune, Its_range_and_its_front_say_what_the_constraints_cut) {

@@ -137,7 +137,8 @@ TEST(BiasFormula, Knows_the_range_that_it_was_fitted_to) {
 TEST(BiasFormula, Residual_and_standard_errors_are_those_of_a_straight_line) {
   // Δz 1 2 3 4, bias 1 3 2 4: slope 0.8, intercept 0.5; misses −0.3 0.9 −0.9 0.3, their squares' sum 1.8, s² = 0.9;
   // Sxx = 5: errors √(0.9/5) = 0.4242641 and √(0.9·(1/4 + 2.5²/5)) = 1.1618950; RMS √0.45 = 0.6708204.
-  // In texels: −0.3, 0.45, −0.3, 0.075: √(0.388125/4) = 0.3114984.
+  // In texels: −0.3, 0.45, −0.3, 0.075: √(0.388125/4) = 0.3114984. Rounding to the nearest of steps of 1, alike in all
+  // points, moves the intercept alone: √(1.35 + 1/12) = 1.1972190.
   const auto formula = fit_formula(std::vector<FormulaPoint>{
       {1, 1, 1, {1, 0, 0}}, {2, 3, 1, {2, 0, 0}}, {3, 2, 1, {3, 0, 0}}, {4, 4, 1, {4, 0, 0}}});
   ASSERT_TRUE(formula);
@@ -146,9 +147,25 @@ TEST(BiasFormula, Residual_and_standard_errors_are_those_of_a_straight_line) {
   EXPECT_NEAR(slope.value, 0.8, 1e-14);
   EXPECT_NEAR(slope.standard_error, 0.42426406871192851, 1e-13);
   EXPECT_NEAR(constant.value, 0.5, 1e-14);
-  EXPECT_NEAR(constant.standard_error, 1.1618950038622251, 1e-13);
+  EXPECT_NEAR(constant.standard_error, 1.1972189997378647, 1e-13);
   EXPECT_NEAR(formula->residual, 0.67082039324993691, 1e-13);
   EXPECT_NEAR(formula->residual_texels, 0.31149839485942975, 1e-13);
+}
+
+// A least bias without acne of ½ Δz, rounded up to an axis in texels: the same share too large at every resolution.
+TEST(BiasFormula, More_points_do_not_average_out_a_rounding_that_they_share) {
+  for (const int count : {3, 12, 48}) {
+    std::vector<FormulaPoint> points;
+    for (int i = 0; i < count; ++i) {
+      const double texel = 0.01 * (i + 1);
+      points.push_back({texel, 0.727 * 3.0 * texel, 0.255 * 3.0 * texel, {3.0 * texel, 0, 0}});
+    }
+    const auto formula = fit_formula(points, AxisRounding::up);
+    ASSERT_TRUE(formula);
+    const Fitted& slope = term(*formula, FormulaTerm::slope);
+    EXPECT_NEAR(slope.value, 0.727, 1e-9);
+    EXPECT_LT(std::abs(slope.value - 0.5), 2.0 * slope.standard_error) << count;
+  }
 }
 
 TEST(BiasFormula, A_coarse_interval_counts_less) {
