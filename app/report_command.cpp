@@ -218,8 +218,8 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
                              (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
     if (part.has_noise) {
       section.text +=
-          " This noise can only raise an absolute error. The interval of the error therefore also holds the error "
-          "without noise, and that of a difference the difference without noise.";
+          " This noise can only raise an absolute error. The intervals of errors and of their differences therefore "
+          "also hold the values without noise.";
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=

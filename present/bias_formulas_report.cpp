@@ -78,7 +78,7 @@ Table formulas_table(const BiasCurves& curves) {
       {"formula of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
       {"points", "1", "fitted points: one per combination of the formula's axes"},
       {"independent points", "1", "those that differ in a fact of the formula; only they count in the standard errors"},
-      {"left out", "1", "combinations without such a bias on the axis, or with one at its end"},
+      {"left out", "1", "combinations without such a bias on the axis, or whose bias may lie beyond its end"},
       {"constant part", "m", "the bias less the other terms"},
       {"error of the constant part", "m", "standard error"},
       {"factor of Δz", "1", "Δz: change of the surface's depth from texel to texel"},

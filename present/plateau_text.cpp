@@ -78,8 +78,8 @@ std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
                  "costs little; ") +
              remedy;
     case NoBias::unbounded:
-      return "a bias that removes every shadow has hardly more error, because the map is too coarse; raise "
-             "--shadow.resolution";
+      return "a bias that removes every shadow is among the best, because the map is too coarse or the filter too "
+             "wide; raise --shadow.resolution, or use a narrower filter";
   }
   return {};
 }

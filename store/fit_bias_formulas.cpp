@@ -123,8 +123,8 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
   }
   if (!left_out.empty()) {
     of.warnings.push_back(
-        fmt::format("{} of {} combinations are left out, because no bias on the axis qualifies or the best lies at an "
-                    "end of it; extend shadow.constant-bias",
+        fmt::format("{} of {} combinations are left out, because no bias on the axis qualifies or the best may lie "
+                    "beyond an end of it; extend shadow.constant-bias",
                     left_out.size(), left_out.size() + of.points.size()));
   }
   if (!of.formula) {

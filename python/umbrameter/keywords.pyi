@@ -76,7 +76,7 @@ class Keywords(TypedDict, total=False):
     shadow_near_offset: float
     """pancaking: from the start of the depth range to the nearest receiver [m]; a number from 0 to 1e+12. Default: 1.0."""
     shadow_depth_format: Literal['32f', '16f', '16f-down', '24', '16']
-    """format of the shadow map: 32- or 16-bit float, that rounded down, 24- or 16-bit fixed point; 32f, 16f, 16f-down, 24 or 16. Default: 32f."""
+    """format of the shadow map: 32- or 16-bit float (16f-down: rounded down), 24- or 16-bit fixed point; 32f, 16f, 16f-down, 24 or 16. Default: 32f."""
     shadow_depth_encoding: Literal['linear', 'perspective', 'reversed']
     """depth that the map stores: linear, of a projection matrix, or that reversed; linear, perspective or reversed. Default: linear."""
     shadow_depth_near: float
@@ -86,7 +86,7 @@ class Keywords(TypedDict, total=False):
     shadow_receiver_precision: Literal['full', 'single']
     """precision of receivers' depths in a spot light's perspective encoding; single: as in engines; full or single. Default: full."""
     shadow_depth_comparison: Literal['less-equal', 'less']
-    """with receivers in single precision: what is lit, compared with the stored depth; less-equal or less. Default: less-equal."""
+    """with receivers in single precision: a receiver is lit whose depth has this relation to the stored one; less-equal or less. Default: less-equal."""
     shadow_faces: Literal['all', 'front', 'back']
     """faces that cast, seen from the light; all, front or back. Default: all."""
     shadow_surface: Literal['nearest', 'midpoint', 'second', 'dual']

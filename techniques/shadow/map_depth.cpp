@@ -47,10 +47,10 @@ double step_of_stored(MapDepthFormat format, double stored) {
 
 Parameters describe(MapDepthParams& params) {
   return Description("shadow")
-      .choice(
-          "depth-format", params.format, depth_format_names,
-          {.unit = {},
-           .meaning = "format of the shadow map: 32- or 16-bit float, that rounded down, 24- or 16-bit fixed point"})
+      .choice("depth-format", params.format, depth_format_names,
+              {.unit = {},
+               .meaning =
+                   "format of the shadow map: 32- or 16-bit float (16f-down: rounded down), 24- or 16-bit fixed point"})
       .choice("depth-encoding", params.encoding, encoding_names,
               {.unit = {}, .meaning = "depth that the map stores: linear, of a projection matrix, or that reversed"})
       .field("depth-near", params.near_depth,
@@ -63,7 +63,9 @@ Parameters describe(MapDepthParams& params) {
            .meaning = "precision of receivers' depths in a spot light's perspective encoding; single: as in engines"})
       .choice(
           "depth-comparison", params.comparison, comparison_names,
-          {.unit = {}, .meaning = "with receivers in single precision: what is lit, compared with the stored depth"})
+          {.unit = {},
+           .meaning =
+               "with receivers in single precision: a receiver is lit whose depth has this relation to the stored one"})
       .choice("faces", params.faces, face_names, {.unit = {}, .meaning = "faces that cast, seen from the light"})
       .choice("surface", params.surface, surface_names,
               {.unit = {}, .meaning = "surface whose depth the map holds, of the first two that the light meets"})
