@@ -53,7 +53,7 @@ struct ErrorShape {
   /// Components of all wrong pixels, and of each class. Only for a hard shadow, whose pixels are either right or wrong.
   std::optional<ComponentStatistics> components;
   std::array<ComponentStatistics, cause_count> class_components{};
-  /// Only for an area light: share of the error outside the penumbra, each pixel weighted by 1 − penumbra_weight().
+  /// Only for an area light: share of the error that is not penumbra_error(), the error outside the penumbra.
   std::optional<double> outside_penumbra;
 };
 

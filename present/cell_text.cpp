@@ -31,15 +31,14 @@ bool is_unread(const SweepResults& sweep, const std::vector<Value>& row, const s
 }  // namespace
 
 std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes) {
-  const auto is_idle = [&](std::size_t a) {
+  std::vector<std::size_t> read = axes;
+  std::erase_if(read, [&](std::size_t a) {
     const std::string& key = sweep.plan.axes[a].key;
     return is_unread<ShadowParams>(sweep, row, key) || is_unread<AoParams>(sweep, row, key);
-  };
-  const bool reads_none = std::ranges::all_of(axes, is_idle);
+  });
   std::string text;
-  for (const std::size_t a : axes) {
+  for (const std::size_t a : read.empty() ? axes : read) {
     const SweepAxis& axis = sweep.plan.axes[a];
-    if (is_idle(a) && !reads_none) continue;
     text += (text.empty() ? "" : ", ") + axis.key + " ";
     const auto* number = std::get_if<double>(&row[a]);
     std::vector<double> values;

@@ -120,13 +120,12 @@ std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
     searched = ": the bias was searched again for this and is " + length_text(*advice.own_bias) +
                (advice.own_bias->unit == LengthUnit::texels ? " of our map" : "");
   }
-  const char* errors = advice.measured     ? "; the errors are those of the numbers shown"
-                       : advice.by_default ? "; the error is that of its default numbers"
-                                           : "";
-  const bool has_errors = errors[0] != '\0';
+  const std::string errors = advice.measured     ? "; the errors are those of the numbers shown"
+                             : advice.by_default ? "; the error is that of its default numbers"
+                                                 : "";
   const bool draws_otherwise = advice.own_faces || advice.has_own_offset;
   notes.push_back(fmt::format("{}: it {}{}{}{}", advice.target.spec.engine->name, own, searched, errors,
-                              has_errors && draws_otherwise ? ", with a map drawn that way" : ""));
+                              !errors.empty() && draws_otherwise ? ", with a map drawn that way" : ""));
   return notes;
 }
 
