@@ -133,7 +133,11 @@ std::vector<std::string> shortened(const std::vector<std::string>& values) {
 Estimate estimate_of(const ComparedValue& value) {
   const double number = value.measured.value;
   const double lower = number - value.half_width - value.noise;
-  return {number, can_be_negative(value.measured.name) ? lower : std::max(lower, 0.0), number + value.half_width};
+  const double upper = number + value.half_width;
+  // Visibility and accessibility lie between 0 and 1, and so do their means and errors.
+  const bool ends_at_1 = value.measured.kind != "image" && value.measured.unit == "1" && number <= 1.0;
+  return {number, can_be_negative(value.measured.name) ? lower : std::max(lower, 0.0),
+          ends_at_1 ? std::min(upper, 1.0) : upper};
 }
 
 std::vector<ComparedStatistic> compare_runs(const std::vector<StoredRun>& runs) {

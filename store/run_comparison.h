@@ -34,7 +34,8 @@ struct ComparedValue {
   Verdict verdict = Verdict::base;
 };
 
-/// The value with its 95 % interval, which ends at 0 where the statistic cannot be negative.
+/// The value with its 95 % interval, which ends at 0 where the statistic cannot be negative, and at 1 where it is a
+/// mean or an error of visibility or accessibility.
 Estimate estimate_of(const ComparedValue& value);
 
 /// A statistic of at least one of the runs.

@@ -184,6 +184,15 @@ TEST_F(EngineRun, A_mask_from_a_file_gives_the_statistics_of_the_run_that_wrote_
     EXPECT_NEAR(s["mae"].get<double>(), t["mae"].get<double>(), 1e-7);
     EXPECT_NEAR(s["rmse"].get<double>(), t["rmse"].get<double>(), 1e-7);
   }
+  // The picture of the run in place of the mask.
+  const ProgramResult picture =
+      run({"evaluate", "contact-box", "--light", "sun", "--visibility", ours + "/images.exr"}, "picture");
+  EXPECT_EQ(picture.exit_code, 0) << picture.err;
+  const std::string notes = summary("picture")["notes"].dump();
+  EXPECT_NE(notes.find("images.exr: its channels R, G and B are read; "), std::string::npos) << notes;
+  EXPECT_NE(notes.find("images.exr: R alone is read; G or B differ from it in 5,184 of 5,184 pixels"),
+            std::string::npos)
+      << notes;
   const ProgramResult lights =
       run({"evaluate", "contact-box", "--visibility", ours + "/images.exr:raster_visibility_sun"}, "no");
   EXPECT_EQ(lights.exit_code, 2) << lights.out;

@@ -115,6 +115,22 @@ constexpr int draws = 400;
 constexpr double fewest = 0.92 * draws;
 constexpr double most = 0.98 * draws;
 
+TEST(RunsReportIntervals, End_where_the_range_of_their_statistic_does) {
+  ComparedValue lit;
+  lit.measured.kind = "shadow";
+  lit.measured.name = "lit";
+  lit.measured.unit = "1";
+  lit.measured.value = 0.981;
+  lit.half_width = 0.025;
+  EXPECT_EQ(estimate_of(lit).upper, 1.0);
+  EXPECT_NEAR(estimate_of(lit).lower, 0.956, 1e-12);
+  ComparedValue luminance = lit;
+  luminance.measured.kind = "image";  // 1 is white, and light may be brighter
+  EXPECT_NEAR(estimate_of(luminance).upper, 1.006, 1e-12);
+  lit.measured.value = 0.01;
+  EXPECT_EQ(estimate_of(lit).lower, 0.0);
+}
+
 TEST(RunsReportIntervals, Hold_the_value_95_times_in_100_over_the_choice_of_pixels_and_the_noise_of_the_reference) {
   Held rmse, mean, mae, too_dark;
   double mae_of_second = 0.0;
