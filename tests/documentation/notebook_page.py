@@ -60,7 +60,9 @@ def wrapped(line):
     """As long as the page shows it without scrolling."""
     if len(line) <= 96:
         return line
-    return textwrap.fill(line, 96, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    bound = line.replace(" %", "\N{NO-BREAK SPACE}%")
+    filled = textwrap.fill(bound, 96, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    return filled.replace("\N{NO-BREAK SPACE}", " ")
 
 
 if __name__ == "__main__":
