@@ -82,6 +82,11 @@ const char* sign_words(const Estimate& error) {
   return error.lower > 0.0 ? ", too bright" : error.upper < 0.0 ? ", too dark" : "";
 }
 
+// The mean absolute error of an image of ones.
+Estimate without_ao(const Estimate& mean_truth) {
+  return {1.0 - mean_truth.value, 1.0 - mean_truth.upper, 1.0 - mean_truth.lower};
+}
+
 }  // namespace
 
 std::string ao_radius_text(const AoParams& params) {
@@ -97,21 +102,21 @@ std::string ao_limit_text(const TruthParams& params) {
          metres_text(params.ao_distance.number);
 }
 
-std::string no_ao_text(double error, double mean_truth) {
-  const double without = 1.0 - mean_truth;
+std::string no_ao_text(double error, const Estimate& mean_truth) {
+  const Estimate without = without_ao(mean_truth);
   constexpr double hardly = 0.99;  // within 1 % both are about equal
-  if (!(error >= hardly * without)) return {};
+  if (!(error >= hardly * without.value)) return {};
   return fmt::format("no AO at all would be {} to the reference: its error is {}",
-                     hardly * error > without ? "closer" : "about as close", percent(without));
+                     hardly * error > without.value ? "closer" : "about as close", percent(without));
 }
 
-void add_without_ao(Presentation& presentation, double error, double mean_truth) {
+void add_without_ao(Presentation& presentation, double error, const Estimate& mean_truth) {
   if (const std::string warning = no_ao_text(error, mean_truth); !warning.empty()) {
     presentation.answers.push_back("warning: " + warning);
   } else {
-    const double without = 1.0 - mean_truth;
-    presentation.lines.push_back("  AO: without any AO the error would be " + percent(without));
-    presentation.section.text += "\n\nWithout any AO the error of ambient occlusion would be " + percent(without) + ".";
+    const std::string without = percent(without_ao(mean_truth));
+    presentation.lines.push_back("  AO: without any AO the error would be " + without);
+    presentation.section.text += "\n\nWithout any AO the error of ambient occlusion would be " + without + ".";
   }
 }
 
@@ -172,7 +177,7 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   presentation.answers.push_back(fmt::format(
       "AO: mean absolute error {}, mean signed error {}{} ({}{}, reference rays {})", text.absolute, text.with_sign,
       sign_words(s.mean_error), text.has_interval ? "95 % intervals, over rays; " : "", of, limit));
-  add_without_ao(presentation, s.mae.value, s.mean_truth.value);
+  add_without_ao(presentation, s.mae.value, s.mean_truth);
   return presentation;
 }
 

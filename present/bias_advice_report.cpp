@@ -57,10 +57,7 @@ std::string advice_text(const BiasAdvice& advice) {
   const auto acne_left = [&](const BiasCell& cell, const std::string& before) {
     if (cell.acne <= little_acne_share) return std::string();
     const std::optional<BiasCell>& little = advice.line.little_acne;
-    return fmt::format("; acne {}{}, and {}", before, percent(cell.acne),
-                       little ? fmt::format("at most 0.1 % only from {} on, where the error is {}",
-                                            bias_text(advice, *little), percent(little->mae))
-                              : "more than 0.1 % at every bias");
+    return "; " + acne_left_text(before + percent(cell.acne), little, little ? bias_text(advice, *little) : "");
   };
   if (keeps_bias(advice)) {
     const bool is_in_range =

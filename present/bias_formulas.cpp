@@ -58,19 +58,19 @@ std::string formula_text(const BiasFormula& formula) {
 
 std::string errors_text(const BiasFormula& formula) {
   std::string text;
-  const auto add = [&](FormulaTerm which, const char* symbol) {
+  const auto add = [&](FormulaTerm which, const char* what) {
     const std::optional<Fitted>& term = formula.term(which);
     if (!term) return;
     const double error = term->standard_error;
-    text += (text.empty() ? "standard errors " : ", ") +
-            (*symbol == 0 ? metres_text(error, 2) : fmt::format("{:.2g}{}", error, symbol));
-    if (!printed_term(formula, which))
-      text += *symbol == 0 ? " (of the constant, which is left out as 0)" : " (of a factor left out as 0)";
+    const bool is_length = which == FormulaTerm::constant;
+    text += fmt::format("{}{} {}{}", text.empty() ? "standard errors: " : ", ", what,
+                        is_length ? metres_text(error, 2) : fmt::format("{:.2g}", error),
+                        printed_term(formula, which) ? "" : " (left out as 0)");
   };
-  add(FormulaTerm::constant, "");
-  add(FormulaTerm::slope, "·Δz");
-  add(FormulaTerm::slope_radius, "·r·Δz");
-  add(FormulaTerm::depth_step, "·δ");
+  add(FormulaTerm::constant, "constant");
+  add(FormulaTerm::slope, "factor of Δz");
+  add(FormulaTerm::slope_radius, "factor of r·Δz");
+  add(FormulaTerm::depth_step, "factor of δ");
   return text;
 }
 

@@ -42,7 +42,7 @@ std::string texel_range(const FormulaRange& range) {
 bool has_no_residual(const BiasFormula& formula) { return formula.residual < formula_rounding * formula.axis_step; }
 
 std::string residual_text(const BiasFormula& formula) {
-  if (has_no_residual(formula)) return "no residual: standard errors come from the step of the bias axis alone";
+  if (has_no_residual(formula)) return "no residual, so that standard errors come from the step of the bias axis alone";
   return fmt::format("RMS residual {} ({:.2g} texels), largest {}", metres_text(formula.residual, 2),
                      formula.residual_texels, metres_text(formula.worst_residual, 2));
 }
@@ -344,7 +344,7 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
           of->slope != 0.0 ? ", slope-scaled bias " + with_unit(fmt::format("{:g}", of->slope), "texels") : "";
       const std::string errors = errors_text(*of->formula);
       const std::string line =
-          fmt::format("formula ({}{}{}): {}{}, {}, {}", at, name_of(*of), slope, formula_text(*of->formula),
+          fmt::format("formula ({}{}{}): {}{}; {}; {}", at, name_of(*of), slope, formula_text(*of->formula),
                       errors.empty() ? "" : "; " + errors, residual_text(*of->formula), points_text(*of));
       section.text += "\n\n" + sentence(line) + ".";
       if (is_first) presentation.lines.push_back(line);

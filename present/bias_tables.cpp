@@ -145,6 +145,23 @@ Table in_digits(Table table, std::size_t first_column) {
   return table;
 }
 
+// "3.6 texels (4.28 cm on average)".
+std::string constant_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
+  const BiasInUnits bias = in_units(curves, curve, cell);
+  const int given = digits_on_axis(curves.constants, cell.constant);
+  const int digits = digits_of_step(curves.constants, cell.constant);
+  std::string text = curves.unit == LengthUnit::metres
+                         ? metres_text(cell.constant, given)
+                         : with_minus(fmt::format("{:.{}g} {}", cell.constant, given, unit_name(curves.unit)));
+  const char* average = curve.texels_differ ? " on average" : "";
+  if (curves.unit == LengthUnit::texels) {
+    text += fmt::format(" ({}{})", metres_text(bias.metres, digits), average);
+  } else if (std::isfinite(bias.texels)) {
+    text += with_minus(fmt::format(" ({:.{}g} texels{})", bias.texels, digits, average));
+  }
+  return text;
+}
+
 // What the sweep says of one curve, after the name of its setting.
 std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
   const BiasCell least = *least_error(curve.optima);
@@ -161,10 +178,10 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
       percent(recommended.mae), plateau.first.constant == plateau.last.constant ? "" : "of the swept biases ",
       range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis, curves.constants));
   if (!plateau.has_little_acne()) {
-    const std::string acne = percent(recommended.acne);
-    text += plateau.first.constant == plateau.last.constant
-                ? fmt::format("; it leaves acne of {}, more than 0.1 %", acne)
-                : fmt::format("; each of these leaves acne of more than 0.1 %, this one {}", acne);
+    const auto line = std::ranges::find(curve.optima.lines, recommended.slope, &BiasLine::slope);
+    const std::optional<BiasCell>& little = line->little_acne;
+    text += "; " + acne_left_text(percent(recommended.acne), little,
+                                  little ? constant_text(curves, curve, *little) : "", "swept bias");
   }
   if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";
   return text;
@@ -193,21 +210,8 @@ std::string explanation(const BiasCurves& curves) {
 }  // namespace
 
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
-  const BiasInUnits bias = in_units(curves, curve, cell);
-  const int given = digits_on_axis(curves.constants, cell.constant);
-  const int digits = digits_of_step(curves.constants, cell.constant);
-  const bool is_in_texels = curves.unit == LengthUnit::texels;
-  std::string text = curves.unit == LengthUnit::metres
-                         ? metres_text(cell.constant, given)
-                         : with_minus(fmt::format("{:.{}g} {}", cell.constant, given, unit_name(curves.unit)));
-  const char* average = curve.texels_differ ? " on average" : "";
-  if (is_in_texels) {
-    text += fmt::format(" ({}{})", metres_text(bias.metres, digits), average);
-  } else if (std::isfinite(bias.texels)) {
-    text += with_minus(fmt::format(" ({:.{}g} texels{})", bias.texels, digits, average));
-  }
-  if (curves.varies_slope) text += ", slope-scaled bias " + to_string(on_axis({}, cell.slope)) + " texels";
-  return text;
+  const std::string text = constant_text(curves, curve, cell);
+  return curves.varies_slope ? text + ", slope-scaled bias " + to_string(on_axis({}, cell.slope)) + " texels" : text;
 }
 
 void present_bias(Presentation& presentation, const BiasCurves& curves) {

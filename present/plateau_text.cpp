@@ -59,6 +59,14 @@ const char* reason_text(const BiasPlateau& plateau, bool is_for_acne) {
   return decides && plateau.has_little_acne() ? " for acne of at most 0.1 %" : "";
 }
 
+std::string acne_left_text(const std::string& acne, const std::optional<BiasCell>& little,
+                           const std::string& little_text, const char* biases) {
+  return fmt::format(
+      "acne {}, and {}", acne,
+      little ? fmt::format("at most 0.1 % only from {} on, where the error is {}", little_text, percent(little->mae))
+             : fmt::format("more than 0.1 % at every {}", biases));
+}
+
 std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
   const char* remedy = !evidence.has_floor     ? "--scene.ground adds a floor"
                        : evidence.blocked == 0 ? "choose a view with shadows"

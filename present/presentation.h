@@ -64,7 +64,7 @@ std::string filter_warning(const std::string& remedy);
 std::string filter_remedy(const std::string& flag);
 
 /// "no AO at all would be closer to the reference: its error is 1.18 %"; empty where AO is better than none.
-std::string no_ao_text(double error, double mean_truth);
+std::string no_ao_text(double error, const Estimate& mean_truth);
 
 /// Whether these names of metrics or statistics have the one that shows which filter is best against a hard shadow.
 bool measures_edges(const std::string& names);

@@ -40,20 +40,19 @@ std::string counted_text(const CountedPixels& counted, bool is_soft, bool is_tra
   return text;
 }
 
-// What one light's shadow rays went to.
 std::string truth_caption(const ShadowMeasurement& shadow) {
-  std::string common =
+  const std::string text =
       "Shadow rays against the exact geometry. Back-facing pixels are 0. Pixels outside the light's map, cone or range "
       "are not counted; technique and reference may differ there.";
-  if (!shadow.is_sampled) return common;
+  if (!shadow.is_sampled) return text;
   const double samples = shadow.truth->precision.mean_samples;
-  if (shadow.experiment.truth.shadow == ShadowReference::pixel) {
+  const std::string extent = extent_text(shadow.emitter);
+  const std::string light = (std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ") + extent;
+  if (shadow.experiment.truth.shadow == ShadowReference::pixel)
     return fmt::format(
-        "{} Mean over the part of each pixel that shows the surface of its centre, from {:.0f} points of the pixel.",
-        common, samples);
-  }
-  return fmt::format("{} The light is {}{}; {:.0f} rays per pixel measure the visible share of its {}.", common,
-                     std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
+        "{} Mean over the part of each pixel that shows the surface of its centre, from {:.0f} points of the pixel{}.",
+        text, samples, extent.empty() ? "" : ", each with a ray to a point of the light, " + light);
+  return fmt::format("{} The light is {}; {:.0f} rays per pixel measure the visible share of its {}.", text, light,
                      samples, shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
 
@@ -160,7 +159,9 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   ReportSection& section = presentation.section;
   add_error_figure(presentation, scene, layers, shadow);
   const bool is_over_pixel = shadow.experiment.truth.shadow == ShadowReference::pixel;
-  section.text += is_over_pixel ? "\n\nThe reference is the mean over each pixel (truth.shadow pixel)"
+  const std::string extent = extent_text(shadow.emitter);
+  section.text += is_over_pixel ? fmt::format("\n\nThe reference is the mean over each pixel{} (truth.shadow pixel)",
+                                              extent.empty() ? "" : " and over the light")
                                 : "\n\nThis is an area light. Its reference is the visible share of the light";
   section.text +=
       ", so a single tap is neither right nor wrong and has no cause of error. The error is split into too dark and "
@@ -185,13 +186,13 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
+  const std::string soft = fmt::format("its soft shadow ({})", extent);
+  const std::string of_pixel = "the mean over each pixel" + (extent.empty() ? "" : " of " + soft);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the share of the "
-      "{}){}",
-      title, percent(s.error.mae), few_pixels_text(s.error.pixels),
-      is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
-      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra),
-      is_over_pixel ? "pixel that is lit" : "light that a pixel sees", no_advice_text(shadow)));
+      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the visibility of the "
+      "reference){}",
+      title, percent(s.error.mae), few_pixels_text(s.error.pixels), is_over_pixel ? of_pixel : soft,
+      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra), no_advice_text(shadow)));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {

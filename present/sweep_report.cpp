@@ -338,7 +338,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
         fmt::format("least error {} at {}{}{}", error, cell_text(sweep, least), equal_text(sweep, least, least[mae]),
                     sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
     if (is_ao) {
-      const double mean_truth = to_number(least[column_index(best, "mean_truth")]);
+      const std::size_t truth = column_index(best, "mean_truth");
+      const Estimate mean_truth{to_number(least[truth]), to_number(least[truth + 1]), to_number(least[truth + 2])};
       add_without_ao(presentation, to_number(least[mae]), mean_truth);
     }
   }

@@ -9,11 +9,7 @@
 namespace umbrameter {
 namespace {
 
-// Without the sign of a number that is rounded to 0.
-std::string rounded(double number, int decimals) {
-  const std::string text = fmt::format("{:.{}f}", number, decimals);
-  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, decimals) : with_minus(text);
-}
+std::string rounded(double number, int decimals) { return with_minus(fmt::format("{:.{}f}", number, decimals)); }
 
 // Halves that differ by less show as the same two digits or nearly so.
 bool is_symmetric(const Estimate& estimate) {
@@ -34,7 +30,8 @@ int decimals_of(double number, int digits) {
 }
 
 std::string with_minus(std::string text) {
-  if (text.starts_with('-')) text.replace(0, 1, "−");
+  const bool is_0 = text.find_first_not_of("-0.") >= text.find(' ');
+  if (text.starts_with('-')) text.replace(0, 1, is_0 ? "" : "−");
   return text;
 }
 

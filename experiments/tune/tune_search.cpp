@@ -187,8 +187,8 @@ class Search {
 std::vector<Value> scanned_values(const TuneAxis& axis, const Value& best) {
   if (axis.is_word() || (!axis.is_continuous && axis.count() <= 8)) return axis.axis.values;
   const double middle = position_of(axis, best);
-  std::set<double> positions = {middle};
-  for (const double step : {-0.4, -0.15, -0.05, 0.05, 0.15, 0.4}) {
+  std::set<double> positions = {0.0, middle, 1.0};
+  for (const double step : {-0.7, -0.4, -0.15, -0.05, 0.05, 0.15, 0.4, 0.7}) {
     positions.insert(std::clamp(middle + step, 0.0, 1.0));
   }
   std::vector<Value> values;

@@ -190,7 +190,7 @@ BiasTerms terms_of(const BiasSpec& source, const MapPlace& place) {
       });
       const std::string plane = nearer_plane(source, place);
       throw Error(ExitCode::usage, std::string(source.engine->name) + " " + name, why_unknown(source, number, place),
-                  !plane.empty() ? fmt::format("it is {:.3g} m away: set the plane before it, {}", place.depth, plane)
+                  !plane.empty() ? "set the plane before it, " + plane
                   : has_rest     ? "set " + name + "=0 to convert the rest"
                                  : "give the bias in metres or texels");
     }

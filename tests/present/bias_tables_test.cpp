@@ -44,6 +44,26 @@ TEST(BiasTables, Values_of_an_axis_are_printed_as_given_and_what_follows_from_th
   EXPECT_EQ(presentation.answers[0], "least error 1.00 % at 5.625 cm (1.76 texels), slope-scaled bias 0.5625 texels");
 }
 
+// 1 cm leaves acne on 0.2 %, 3 cm on 0.08 % with an error outside the range of good ones.
+TEST(BiasTables, Where_every_good_bias_leaves_acne_the_answer_names_the_first_that_does_not) {
+  BiasCurves curves = fine_curves();
+  BiasCurve& curve = curves.curves[0];
+  const BiasCell best{0.01, 0.5625, 0.0100, 0.002};
+  const BiasCell clean{0.053046875, 0.5625, 0.0125, 0.0008};
+  curve.plateau = plateau_of(std::vector<BiasCell>{best, clean});
+  const auto answer = [&] {
+    Presentation presentation;
+    present_bias(presentation, curves);
+    return presentation.answers.at(0);
+  };
+  EXPECT_NE(
+      answer().find("; acne 0.200 %, and at most 0.1 % only from 5.3 cm (1.66 texels) on, where the error is 1.25 %"),
+      std::string::npos)
+      << answer();
+  curve.optima.lines[0].little_acne.reset();
+  EXPECT_NE(answer().find("; acne 0.200 %, and more than 0.1 % at every swept bias"), std::string::npos) << answer();
+}
+
 TEST(BiasTables, A_difference_of_shares_is_in_percentage_points) {
   Presentation presentation;
   present_bias(presentation, fine_curves());

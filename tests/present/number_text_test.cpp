@@ -28,6 +28,13 @@ TEST(NumberText, Numbers_of_a_column_keep_their_zeros_and_have_a_minus_sign) {
   EXPECT_EQ(percent(-0.008), "−0.800 %");
 }
 
+TEST(NumberText, Zero_has_no_sign) {
+  for (const char* text : {"-0", "-0.00", "-0 m"}) EXPECT_EQ(with_minus(text), std::string(text).substr(1));
+  EXPECT_EQ(with_minus("-0.04 m"), "−0.04 m");
+  EXPECT_EQ(with_minus("-inf"), "−inf");
+  EXPECT_EQ(length_text({-0.0, LengthUnit::texels}), "0 texels");
+}
+
 TEST(NumberText, A_symmetric_interval_is_a_half_width_and_another_one_a_range) {
   EXPECT_EQ(percent(Estimate{0.105432, 0.104, 0.106}), "10.40 to 10.60 %");  // half width 0.10 %
   EXPECT_EQ(percent(Estimate{0.105432, 0.0854, 0.1254}), "10.5 ± 2.0 %");    // half width 2.0 %
