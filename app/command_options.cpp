@@ -282,7 +282,8 @@ void add_tune_options(CLI::App& command, CommandLine& line) {
   add_value(command, "--held-out", tune.held_out, "PARAM=LIST",
             "check the result on view.camera=LIST or scene=NAME; repeatable (default: a camera that no case uses)")
       ->take_all();
-  add_value(command, "--evaluations", tune.evaluations, "N", "max evaluations of all cases (30 for each searched axis)")
+  add_value(command, "--evaluations", tune.evaluations, "N",
+            "max evaluations of all cases (30 for each searched axis, more if words are varied)")
       ->check(number_between(1, 1000000));
   add_value(command, "--minutes", tune.minutes, "X", "end the search after this time")
       ->check(number_between(0.001, 1e6));

@@ -29,12 +29,14 @@ std::string reaches_text(const AoParams& params, const std::string& limit) {
   // Only techniques that test points have one; what hides a point in the image may be nearer to the camera than it.
   if (const Parameter* range_check = find(parameters, "ao.range-check")) {
     return fmt::format(
-        "The technique tests points up to {} away, the reference looks for occluders {}. A surface in front of such a "
-        "point, as the camera sees it, darkens the pixel{}.",
+        "The technique tests points up to {} away, the reference looks for occluders {}. A surface that hides such a "
+        "point from the camera darkens the pixel{}.",
         reaches, limit,
         std::get<bool>(range_check->value())
-            ? fmt::format(" even from farther away; the range check fades out surfaces more than {} off in depth",
-                          metres_text(radius))
+            ? fmt::format(
+                  " even from farther away, but where its depth differs from the pixel's by more than {}, the range "
+                  "check fades it out",
+                  metres_text(radius))
             : " from any distance, as ao.range-check is false");
   }
   if (limit == "up to " + reaches) return fmt::format("Technique and reference look for occluders up to {}.", reaches);

@@ -28,7 +28,7 @@ std::string short_bias_text(const BiasAdvice& advice, const BiasCell& cell) {
 // In the unit in use first, then in texels or metres.
 std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   const BiasInUnits bias = in_units(advice, cell);
-  const std::string texels = with_unit(with_minus(fmt::format("{:.3g}", bias.texels)), "texels");
+  const std::string texels = length_text({bias.texels, LengthUnit::texels});
   const char* average = advice.texels_differ ? " on average" : "";
   if (advice.unit == LengthUnit::texels) {
     return fmt::format("{} ({}{})", texels, metres_text(bias.metres), average);

@@ -77,7 +77,8 @@ Table formulas_table(const BiasCurves& curves) {
   const std::vector<Column> rest = {
       {"formula of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
       {"points", "1", "fitted points: one per combination of the formula's axes"},
-      {"independent points", "1", "those that differ in a fact of the formula; only they count in the standard errors"},
+      {"independent points", "1",
+       "those that differ in texel size, Δz, filter radius or depth step; only they count in the standard errors"},
       {"left out", "1", "combinations without such a bias on the axis, or whose bias may lie beyond its end"},
       {"constant part", "m", "the bias less the other terms"},
       {"error of the constant part", "m", "standard error"},

@@ -9,7 +9,12 @@
 namespace umbrameter {
 namespace {
 
-std::string rounded(double number, int decimals) { return with_minus(fmt::format("{:.{}f}", number, decimals)); }
+// Of two equally near numbers with fewer digits the larger, as the page's script rounds.
+double halves_up(double number) { return number * (1.0 + std::numeric_limits<double>::epsilon()); }
+
+std::string rounded(double number, int decimals) {
+  return with_minus(fmt::format("{:.{}f}", halves_up(number), decimals));
+}
 
 // Halves that differ by less show as the same two digits or nearly so.
 bool is_symmetric(const Estimate& estimate) {
@@ -17,7 +22,12 @@ bool is_symmetric(const Estimate& estimate) {
   const double below = estimate.value - estimate.lower;
   const double above = estimate.upper - estimate.value;
   if (estimate.lower == 0.0 && above > below) return false;  // ± would pass 0, where the interval was cut
-  return std::abs(above - below) <= slack * 0.5 * (estimate.upper - estimate.lower);
+  const double half = 0.5 * (estimate.upper - estimate.lower);
+  const auto is_above_0 = [half](double end) { return end > 1e-9 * half; };
+  const auto keeps_side = [&](double shown, double end) { return is_above_0(shown) == is_above_0(end); };
+  if (!keeps_side(estimate.value - half, estimate.lower) || !keeps_side(estimate.value + half, estimate.upper))
+    return false;
+  return std::abs(above - below) <= slack * half;
 }
 
 }  // namespace
@@ -68,12 +78,16 @@ std::string estimate_text(const Estimate& estimate, std::string_view unit) {
   const double half = 0.5 * (estimate.upper - estimate.lower);
   if (!(half > 0.0)) return digits_text(estimate.value) + of_unit;
   int decimals = decimals_of(half, 2);
+  if (!is_symmetric(estimate)) {
+    // An end beside 0 shows its side.
+    for (const double end : {estimate.lower, estimate.upper}) {
+      for (int more = 0; more < 2 && end != 0.0 && rounded(end, decimals) == rounded(0.0, decimals); ++more) ++decimals;
+    }
+    return rounded(estimate.lower, decimals) + " to " + rounded(estimate.upper, decimals) + of_unit;
+  }
   // Where the interval just ends before 0, or just behind it, two digits would not show on which side.
   const double size = std::abs(estimate.value);
   for (int more = 0; more < 2 && size != half && rounded(size, decimals) == rounded(half, decimals); ++more) ++decimals;
-  if (!is_symmetric(estimate)) {
-    return rounded(estimate.lower, decimals) + " to " + rounded(estimate.upper, decimals) + of_unit;
-  }
   return rounded(estimate.value, decimals) + " ± " + rounded(half, decimals) + of_unit;
 }
 
@@ -86,15 +100,13 @@ std::string with_unit(std::string number, std::string_view unit) {
 std::string length_text(const Length& any) {
   if (any.unit == LengthUnit::metres) return metres_text(any.number);
   const int digits = std::abs(any.number) < 1000.0 ? 3 : 4;
-  // Of two equally near numbers the larger, as the page's script rounds.
-  const double number = any.number * (1.0 + std::numeric_limits<double>::epsilon());
-  return with_unit(with_minus(fmt::format("{:.{}g}", number, digits)), unit_name(any.unit));
+  return with_unit(with_minus(fmt::format("{:.{}g}", halves_up(any.number), digits)), unit_name(any.unit));
 }
 
 std::string metres_text(double metres, int digits) {
   if (!std::isfinite(metres)) return "—";
   const auto in = [&](double factor, const char* unit) {
-    return with_minus(fmt::format("{:.{}g} {}", metres * factor, digits, unit));
+    return with_minus(fmt::format("{:.{}g} {}", halves_up(metres * factor), digits, unit));
   };
   const double size = std::abs(metres);
   if (size >= 1000.0) return in(1e-3, "km");

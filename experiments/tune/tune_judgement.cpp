@@ -26,6 +26,16 @@ std::vector<CaseValues> measure_all(const std::vector<TuneCase>& cases, const Tu
   return values;
 }
 
+std::optional<Estimate> moved(std::optional<Estimate> estimate, double by) {
+  if (estimate) *estimate = {estimate->value + by, estimate->lower + by, estimate->upper + by};
+  return estimate;
+}
+
+std::optional<Estimate> negated(std::optional<Estimate> estimate) {
+  if (estimate) *estimate = {-estimate->value, -estimate->upper, -estimate->lower};
+  return estimate;
+}
+
 // In the unit of the cost: the default's costs are those of other cases.
 HeldOut check_held_out(const JudgeInput& in) {
   const TuneGoal goal = not_relative(in.goal);
@@ -66,32 +76,33 @@ TuneJudgement judge(const JudgeInput& in, const std::function<void(double)>& pro
   TuneJudgement judgement;
   const AtCase best = at(in, result.best.values);
   const LeftOutBlocks of_best = leave_out_blocks(in.cases, in.goal, best);
-  judgement.best = cost_interval(in.goal, result.best.cases, of_best);
   judgement.few_blocks = few_blocks(of_best);
   step();
   const LeftOutBlocks of_before = leave_out_blocks(in.cases, in.goal, as_given());
-  judgement.against_before = cost_difference(in.goal, result.best.cases, of_best, result.before.cases, of_before);
+  judgement.best = cost_interval(in.goal, result.best.cases, of_best, of_before);
+  // Of a relative goal the default costs 1, whichever pixels are chosen.
+  judgement.against_before = in.goal.is_relative
+                                 ? moved(judgement.best, -1.0)
+                                 : cost_difference(in.goal, result.best.cases, of_best, result.before.cases, of_before);
   step();
   if (result.runner_up) {
     judgement.against_runner_up =
         cost_difference(in.goal, result.best.cases, of_best, result.runner_up->cases,
-                        leave_out_blocks(in.cases, in.goal, at(in, result.runner_up->values)));
+                        leave_out_blocks(in.cases, in.goal, at(in, result.runner_up->values)), of_before);
   }
   step();
   if (!result.of_words.empty() || shows_more) {
     judgement.compared.push_back(
-        {{},
-         result.before,
-         shown_at(result.before, as_given()),
-         cost_difference(in.goal, result.before.cases, of_before, result.best.cases, of_best)});
+        {{}, result.before, shown_at(result.before, as_given()), negated(judgement.against_before)});
   }
   for (const WordPoint& word : result.of_words) {
     const TunePoint& point = word.point;
     ComparedPoint compared{
         word.axis, point, shown_at(point, at(in, point.values)), {}, point.values == result.best.values};
     if (!compared.is_best) {
-      compared.difference = cost_difference(
-          in.goal, point.cases, leave_out_blocks(in.cases, in.goal, at(in, point.values)), result.best.cases, of_best);
+      compared.difference =
+          cost_difference(in.goal, point.cases, leave_out_blocks(in.cases, in.goal, at(in, point.values)),
+                          result.best.cases, of_best, of_before);
     }
     judgement.compared.push_back(std::move(compared));
     step();

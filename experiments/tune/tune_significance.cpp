@@ -57,6 +57,41 @@ CostNoise cost_noise(const TuneGoal& goal, const std::vector<CaseValues>& cases,
   return {measured - total_cost(goal, least), total_cost(goal, most) - measured};
 }
 
+bool have_same_blocks(const LeftOutBlocks& a, const LeftOutBlocks& b) {
+  return std::ranges::equal(
+      a, b, {}, [](const BlocksOfCase& each) { return each.without.size(); },
+      [](const BlocksOfCase& each) { return each.without.size(); });
+}
+
+// Where the default has lost a block of a case, too.
+TuneGoal without_block(TuneGoal goal, const LeftOutBlocks& of_default, std::size_t c, std::size_t block) {
+  if (goal.is_relative) goal.of_default[c] = cost_of(goal, of_default[c].without[block]);
+  return goal;
+}
+
+// Widens the interval of a total of a relative goal by what noise of the default can change in it; none where the
+// default may be nothing but noise.
+std::optional<Estimate> with_noise_of_default(Estimate interval, const TuneGoal& goal, const LeftOutBlocks& of_default,
+                                              const std::function<double(const TuneGoal&)>& total) {
+  if (!goal.is_relative) return interval;
+  const double measured = total(goal);
+  // Noise raises columns, and so costs of positive weight, and lowers the others.
+  for (const double sign : {1.0, -1.0}) {
+    TuneGoal without_noise = goal;
+    for (std::size_t c = 0; c < of_default.size(); ++c) {
+      for (const TuneTerm& term : goal.terms) {
+        const bool counts = term.weight * sign > 0.0 && !of_default[c].noise.empty();
+        if (counts) without_noise.of_default[c] -= term.weight * of_default[c].noise[term.column];
+      }
+      if (!(without_noise.of_default[c] > 0.0)) return std::nullopt;
+    }
+    const double change = total(without_noise) - measured;
+    interval.lower += std::min(change, 0.0);
+    interval.upper += std::max(change, 0.0);
+  }
+  return interval;
+}
+
 }  // namespace
 
 std::size_t few_blocks(const LeftOutBlocks& blocks) {
@@ -76,34 +111,38 @@ LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoa
 }
 
 std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<CaseValues>& cases,
-                                      const LeftOutBlocks& blocks) {
+                                      const LeftOutBlocks& blocks, const LeftOutBlocks& of_default) {
+  if (goal.is_relative && !have_same_blocks(blocks, of_default)) return std::nullopt;
   std::optional<Estimate> interval = jackknife(total_cost(goal, cases), blocks, [&](std::size_t c, std::size_t b) {
-    return cost(goal, cases, c, blocks[c].without[b]);
+    return cost(without_block(goal, of_default, c, b), cases, c, blocks[c].without[b]);
   });
   if (!interval) return interval;
   const CostNoise noise = cost_noise(goal, cases, blocks);
   interval->lower -= noise.below;
   interval->upper += noise.above;
-  if (!has_negative_costs(goal)) interval->lower = std::max(interval->lower, 0.0);
+  interval =
+      with_noise_of_default(*interval, goal, of_default, [&](const TuneGoal& of) { return total_cost(of, cases); });
+  if (interval && !has_negative_costs(goal)) interval->lower = std::max(interval->lower, 0.0);
   return interval;
 }
 
 std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<CaseValues>& a,
                                         const LeftOutBlocks& blocks_a, const std::vector<CaseValues>& b,
-                                        const LeftOutBlocks& blocks_b) {
-  for (std::size_t c = 0; c < blocks_a.size(); ++c) {
-    if (blocks_a[c].without.size() != blocks_b[c].without.size()) return std::nullopt;
-  }
+                                        const LeftOutBlocks& blocks_b, const LeftOutBlocks& of_default) {
+  if (!have_same_blocks(blocks_a, blocks_b)) return std::nullopt;
+  if (goal.is_relative && !have_same_blocks(blocks_a, of_default)) return std::nullopt;
   const double difference = total_cost(goal, a) - total_cost(goal, b);
   std::optional<Estimate> interval = jackknife(difference, blocks_a, [&](std::size_t c, std::size_t block) {
-    return cost(goal, a, c, blocks_a[c].without[block]) - cost(goal, b, c, blocks_b[c].without[block]);
+    const TuneGoal without = without_block(goal, of_default, c, block);
+    return cost(without, a, c, blocks_a[c].without[block]) - cost(without, b, c, blocks_b[c].without[block]);
   });
   if (!interval) return interval;
   const CostNoise of_a = cost_noise(goal, a, blocks_a);
   const CostNoise of_b = cost_noise(goal, b, blocks_b);
   interval->lower -= of_a.below + of_b.above;
   interval->upper += of_a.above + of_b.below;
-  return interval;
+  return with_noise_of_default(*interval, goal, of_default,
+                               [&](const TuneGoal& of) { return total_cost(of, a) - total_cost(of, b); });
 }
 
 }  // namespace umbrameter

@@ -26,12 +26,16 @@ LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoa
 /// rays: these differ from pixel to pixel. Noise can only raise an absolute error, and the interval also holds the cost
 /// without what it may have added. It does not cover that the point was chosen for its cost. Nothing where a case has
 /// no blocks, and with few_blocks().
+///
+/// `of_default` are those of the default, of whose costs a relative goal counts multiples: they lose the same blocks
+/// and may hold noise, too. Not used by other goals.
 std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<CaseValues>& cases,
-                                      const LeftOutBlocks& blocks);
+                                      const LeftOutBlocks& blocks, const LeftOutBlocks& of_default = {});
 
-/// Cost of `a` − cost of `b`, paired. Nothing where a case has no blocks, and with few_blocks().
+/// Cost of `a` − cost of `b`, paired; of a relative goal, b is not the default, which has no interval of its own.
+/// Nothing where a case has no blocks, and with few_blocks().
 std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<CaseValues>& a,
                                         const LeftOutBlocks& blocks_a, const std::vector<CaseValues>& b,
-                                        const LeftOutBlocks& blocks_b);
+                                        const LeftOutBlocks& blocks_b, const LeftOutBlocks& of_default = {});
 
 }  // namespace umbrameter

@@ -289,7 +289,7 @@ TEST_F(RunsReport, Refuses_what_cannot_be_compared_and_says_what) {
 TEST(ReportText, Values_have_the_digits_that_their_interval_justifies) {
   EXPECT_EQ(with_half_width(2.17704, 0.0372), "2.177 ± 0.037");
   EXPECT_EQ(with_half_width(-12.3, 1.26), "−12.3 ± 1.3");
-  EXPECT_EQ(with_half_width(1234.5, 56.0), "1234 ± 56") << "rounded to even";
+  EXPECT_EQ(with_half_width(1234.5, 56.0), "1235 ± 56") << "halves are rounded up";
   EXPECT_EQ(with_half_width(0.026831, 0.0), "0.0268");
   EXPECT_EQ(with_half_width(189110.0, 0.0), "189110");
   EXPECT_EQ(with_half_width(std::nan(""), 0.0), "—");

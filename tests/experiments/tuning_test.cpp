@@ -227,6 +227,30 @@ TEST(CostDifference, Holds_costs_without_what_noise_may_have_added) {
   expect(goal("-2*mae"), 0.0, 0.2);
 }
 
+// Block k of the default costs k; the point costs 0.8 of that in every block, and so 0.8 of the default whichever
+// pixels are counted.
+TEST(CostDifference, Of_a_relative_goal_counts_multiples_of_the_default_without_the_same_block) {
+  TuneGoal relative = goal("mae");
+  relative.is_relative = true;
+  relative = relative_to(relative, {{9.5}});
+  LeftOutBlocks before(1), best(1);
+  for (int k = 0; k < 20; ++k) {
+    before[0].without.push_back({(190.0 - k) / 19.0});
+    best[0].without.push_back({0.8 * (190.0 - k) / 19.0});
+  }
+  const Estimate exact = *cost_interval(relative, {{7.6}}, best, before);
+  EXPECT_NEAR(exact.lower, 0.8, 1e-12);
+  EXPECT_NEAR(exact.upper, 0.8, 1e-12);
+  EXPECT_NEAR(cost_difference(relative, {{7.6}}, best, {{7.6}}, best, before)->upper, 0.0, 1e-12);
+  // Up to 1.9 of the default's 9.5 may be noise: 7.6 of 7.6.
+  before[0].noise = {1.9};
+  const Estimate noisy = *cost_interval(relative, {{7.6}}, best, before);
+  EXPECT_NEAR(noisy.lower, 0.8, 1e-12);
+  EXPECT_NEAR(noisy.upper, 1.0, 1e-12);
+  before[0].noise = {9.5};
+  EXPECT_FALSE(cost_interval(relative, {{7.6}}, best, before).has_value()) << "the default may cost nothing";
+}
+
 // The cost of each block of a case is drawn uniformly from 0 to 1, but in most blocks there is little to measure:
 // block k weighs 1 / (k + 1). The point b costs 0.9 of that, and up to 0.05 more by chance.
 TEST(CostDifference, Has_an_interval_that_holds_it_95_times_in_100_for_few_blocks_and_for_many) {

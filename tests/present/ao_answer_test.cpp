@@ -84,7 +84,7 @@ TEST(AoAnswer, A_technique_that_tests_points_is_not_said_to_limit_the_distance_o
   AoMeasurement ao = measurement();
   expect_words(present_ao({}, ao).section.text,
                {"The technique tests points up to 50 cm away, the reference looks for occluders up to 50 cm.",
-                "the range check fades out surfaces more than 50 cm off in depth"});
+                "where its depth differs from the pixel's by more than 50 cm, the range check fades it out"});
   ao.experiment.ao.ssao.range_check = false;
   expect_words(present_ao({}, ao).section.text, {"from any distance, as ao.range-check is false"});
 }

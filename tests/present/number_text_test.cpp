@@ -18,6 +18,7 @@ TEST(NumberText, A_share_has_three_significant_digits) {
 
 TEST(NumberText, Numbers_of_a_column_keep_their_zeros_and_have_a_minus_sign) {
   EXPECT_EQ(digits_text(10.0), "10.0");
+  EXPECT_EQ(digits_text(3.625), "3.63") << "as length_text() and the page's script";
   EXPECT_EQ(digits_text(0.35), "0.350");
   EXPECT_EQ(digits_text(-0.2727), "−0.273");
   EXPECT_EQ(digits_text(12345.6), "12346") << "the whole part is never cut";
@@ -43,8 +44,9 @@ TEST(NumberText, A_symmetric_interval_is_a_half_width_and_another_one_a_range) {
   EXPECT_EQ(estimate_text({0.1759, 0.121, 0.231}, "px"), "0.176 ± 0.055 px");
   EXPECT_EQ(estimate_text({-0.1385, -0.2749, -0.0021}, ""), "−0.139 ± 0.136") << "on which side of 0 it ends";
   EXPECT_EQ(estimate_text({0.14, 0.0, 0.28}, ""), "0.14 ± 0.14");
-  EXPECT_EQ(estimate_text({17.28, 0.0, 34.86}, ""), "0.0 to 34.9") << "its lower end was cut";
+  EXPECT_EQ(estimate_text({17.28, 0.0, 34.86}, ""), "0 to 35") << "its lower end was cut";
   EXPECT_EQ(estimate_text({0.05, -0.1, 0.06}, "px"), "−0.100 to 0.060 px");
+  EXPECT_EQ(estimate_text({0.5626, -0.0044, 1.1207}, ""), "−0.004 to 1.121") << "± would exclude 0";
   EXPECT_EQ(estimate_text({-1e-5, -0.039, 0.039}, ""), "0.000 ± 0.039") << "0 has no sign";
 }
 
@@ -61,6 +63,7 @@ TEST(NumberText, A_length_is_in_the_unit_that_suits) {
   EXPECT_EQ(metres_text(-0.0123), "−1.23 cm");
   EXPECT_EQ(length_text({1.5, LengthUnit::texels}), "1.5 texels");
   EXPECT_EQ(length_text({2.70879, LengthUnit::texels}), "2.71 texels") << "three digits, as of metres";
+  EXPECT_EQ(length_text({3.625, LengthUnit::texels}), "3.63 texels");
   EXPECT_EQ(length_text({1024.0, LengthUnit::texels}), "1024 texels");
   EXPECT_EQ(length_text(Length{0.5}), "50 cm");
 }
