@@ -152,7 +152,7 @@ void add_warnings(const TuneRun& run, TuneSummary& summary) {
     for (const TuneCase& each : run.cases) {
       const Experiment used = at_point(each, summary.axes, point_to_use(summary.result).values);
       const SampledError error = measure_ao(*each.stages, used, {}).statistics->error;
-      const std::string warning = no_ao_text(error.mae.value, error.mean_truth);
+      const std::string warning = no_ao_text(error.mae, error.mean_truth, error.mean_raster);
       if (!warning.empty()) warnings.push_back(each.title + ", with the point to use: " + warning);
     }
   }

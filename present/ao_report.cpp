@@ -33,10 +33,8 @@ std::string reaches_text(const AoParams& params, const std::string& limit) {
         "point from the camera darkens the pixel{}.",
         reaches, limit,
         std::get<bool>(range_check->value())
-            ? fmt::format(
-                  " even from farther away, but where its depth differs from the pixel's by more than {}, the range "
-                  "check fades it out",
-                  metres_text(radius))
+            ? fmt::format("; where its depth differs from the pixel's by more than {}, the range check fades it out",
+                          metres_text(radius))
             : " from any distance, as ao.range-check is false");
   }
   if (limit == "up to " + reaches) return fmt::format("Technique and reference look for occluders up to {}.", reaches);
@@ -104,16 +102,25 @@ std::string ao_limit_text(const TruthParams& params) {
          metres_text(params.ao_distance.number);
 }
 
-std::string no_ao_text(double error, const Estimate& mean_truth) {
+std::string no_ao_text(const Estimate& error, const Estimate& mean_truth, double mean_raster) {
   const Estimate without = without_ao(mean_truth);
   constexpr double hardly = 0.99;  // within 1 % both are about equal
-  if (!(error >= hardly * without.value)) return {};
+  if (!(error.upper >= hardly * without.lower)) return {};
+  const bool is_closer = hardly * error.lower > without.upper;
+  // In no pixel do the two errors differ by more than the AO that is drawn.
+  const bool draws_hardly_any = 1.0 - mean_raster <= (1.0 - hardly) * without.value;
+  const bool is_as_close =
+      draws_hardly_any || (error.lower >= hardly * without.upper && hardly * error.upper <= without.lower);
+  if (!is_closer && !is_as_close)
+    return fmt::format(
+        "no AO at all may be as close to the reference, or closer: its error is {}; more rays (--truth.spp) would tell",
+        percent(without));
   return fmt::format("no AO at all would be {} to the reference: its error is {}",
-                     hardly * error > without.value ? "closer" : "about as close", percent(without));
+                     is_closer ? "closer" : "about as close", percent(without));
 }
 
-void add_without_ao(Presentation& presentation, double error, const Estimate& mean_truth) {
-  if (const std::string warning = no_ao_text(error, mean_truth); !warning.empty()) {
+void add_without_ao(Presentation& presentation, const Estimate& error, const Estimate& mean_truth, double mean_raster) {
+  if (const std::string warning = no_ao_text(error, mean_truth, mean_raster); !warning.empty()) {
     presentation.answers.push_back("warning: " + warning);
   } else {
     const std::string without = percent(without_ao(mean_truth));
@@ -179,7 +186,7 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   presentation.answers.push_back(fmt::format(
       "AO: mean absolute error {}, mean signed error {}{} ({}{}, reference rays {})", text.absolute, text.with_sign,
       sign_words(s.mean_error), text.has_interval ? "95 % intervals, over rays; " : "", of, limit));
-  add_without_ao(presentation, s.mae.value, s.mean_truth);
+  add_without_ao(presentation, s.mae, s.mean_truth, s.mean_raster);
   return presentation;
 }
 

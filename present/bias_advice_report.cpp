@@ -71,7 +71,8 @@ std::string advice_text(const BiasAdvice& advice) {
   // Where the run has no acne, the bias is not there to remove it.
   const bool says_where = *reason == '\0' && *reason_text(advice.plateau, false) != '\0';
   const std::string little_from =
-      says_where ? fmt::format(", from {} on with acne of at most 0.1 %", short_bias_text(advice, recommended)) : "";
+      says_where ? fmt::format("; of these, acne is at most 0.1 % from {} on", short_bias_text(advice, recommended))
+                 : "";
   const bool shows_acne = is_for_acne || *reason != '\0' || recommended.acne > used.acne;
   return fmt::format("use bias {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended), reason,
                      shows_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
@@ -100,7 +101,7 @@ ReportTable advice_table(const BiasAdvice& advice) {
   }
   const auto add_row = [&](const std::string& name, const BiasCell& cell) {
     const BiasInUnits bias = in_units(advice, cell);
-    std::vector<Value> row = {name, digits_text(bias.metres), digits_text(bias.texels), digits_text(bias.depth),
+    std::vector<Value> row = {name, digits_text(bias.metres), digits_text(bias.texels), depth_text(bias.depth),
                               share_text(cell.mae)};
     for (const double share : shares_of(cell)) row.emplace_back(share_text(share));
     table.rows.push_back(std::move(row));

@@ -34,7 +34,7 @@ Value texels_of(const BiasCurves& curves, const BiasCurve& curve, const BiasCell
 }
 Value depth_of(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
   return curves.unit == LengthUnit::map_depth ? on_axis(curves.constants, cell.constant)
-                                              : known(in_units(curves, curve, cell).depth);
+                                              : Value(depth_text(in_units(curves, curve, cell).depth));
 }
 
 // One recommended bias of one curve.

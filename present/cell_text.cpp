@@ -30,14 +30,18 @@ bool is_unread(const SweepResults& sweep, const std::vector<Value>& row, const s
 
 }  // namespace
 
-std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes) {
-  std::vector<std::size_t> read = axes;
-  std::erase_if(read, [&](std::size_t a) {
+std::vector<std::size_t> read_axes(const SweepResults& sweep, const std::vector<Value>& row,
+                                   std::vector<std::size_t> axes) {
+  std::erase_if(axes, [&](std::size_t a) {
     const std::string& key = sweep.plan.axes[a].key;
     return is_unread<ShadowParams>(sweep, row, key) || is_unread<AoParams>(sweep, row, key);
   });
+  return axes;
+}
+
+std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes) {
   std::string text;
-  for (const std::size_t a : read.empty() ? axes : read) {
+  for (const std::size_t a : axes) {
     const SweepAxis& axis = sweep.plan.axes[a];
     text += (text.empty() ? "" : ", ") + axis.key + " ";
     const auto* number = std::get_if<double>(&row[a]);
@@ -59,7 +63,8 @@ std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, c
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {
   std::vector<std::size_t> axes(sweep.plan.axes.size());
   std::iota(axes.begin(), axes.end(), std::size_t{0});
-  return row_text(sweep, row, axes);
+  const std::vector<std::size_t> read = read_axes(sweep, row, axes);
+  return row_text(sweep, row, read.empty() ? axes : read);
 }
 
 }  // namespace umbrameter

@@ -274,10 +274,11 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
     const auto of_ao = [&](std::string_view name) {
       const auto found = std::ranges::find_if(
           run.statistics, [&](const MeasuredStatistic& each) { return each.kind == "ao" && each.name == name; });
-      return found == run.statistics.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+      if (found == run.statistics.end()) return Estimate{unknown, unknown, unknown};
+      return Estimate{found->value, found->lower, found->value + found->half_width};
     };
-    const double mean_truth = of_ao("mean_truth");
-    const std::string warning = no_ao_text(of_ao(error_statistic), {mean_truth, mean_truth, mean_truth});
+    const std::string warning = no_ao_text(of_ao(error_statistic), of_ao("mean_truth"), of_ao("mean_raster").value);
     if (!warning.empty()) answers.push_back(fmt::format("warning: {}: {}", run.name, warning));
   }
   if (compares_filters(runs, compared)) answers.push_back("warning: " + filter_warning(filter_remedy("--run.metrics")));

@@ -100,10 +100,15 @@ PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const Plot
     names.push_back(*plot.series);
   }
   if (statistic.has_interval()) {
+    const bool has_line =
+        std::holds_alternative<double>(x.values.front()) || std::holds_alternative<std::int64_t>(x.values.front());
+    const char* shown = has_line ? "Band" : "Bars, where longer than a point";
     plot.caption += plot.y.label.ends_with("bounds")
-                        ? " Band: bounds that hold the error with at least 95 % confidence; the "
-                          "noise of the reference's rays raises the line."
-                        : " Band: 95 % interval.";
+                        ? fmt::format(
+                              " {}: bounds that hold the error with at least 95 % confidence; the noise of the "
+                              "reference's rays raises the {}.",
+                              shown, has_line ? "line" : "points")
+                        : fmt::format(" {}: 95 % interval.", shown);
     plot.lower = lower_name(statistic.name);
     plot.upper = upper_name(statistic.name);
     names.push_back(*plot.lower);
@@ -247,6 +252,17 @@ std::string equal_cells_text(const SweepResults& sweep, const std::string& error
                      sweep.plan.axes.size() > 1 ? "change" : "changes");
 }
 
+// With a dash for each value that the cell does not read.
+Table best_as_read(const SweepResults& sweep, Table best) {
+  for (std::vector<Value>& row : best.rows) {
+    const std::vector<Value> values = row;
+    for (std::size_t a = 0; a < sweep.plan.axes.size(); ++a) {
+      if (read_axes(sweep, values, {a}).empty()) row[a] = std::string("—");
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 Table best_rows(const SweepResults& sweep) {
@@ -328,7 +344,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
                     : best.rows.size() < lines
                         ? fmt::format(" of {} combinations of {}", best.rows.size(), keys)
                         : fmt::format(" of each {} of {}", listed.size() > 1 ? "combination" : "value", keys));
-    section.tables.push_back({"Cells of least error", in_percent(best, axes, kind_of(sweep.quantity()))});
+    section.tables.push_back(
+        {"Cells of least error", in_percent(best_as_read(sweep, best), axes, kind_of(sweep.quantity()))});
   }
   if (!left_out.empty()) section.text += "\n\nsweep.csv has all cells." + left_out;
   if (curves) {
@@ -338,9 +355,11 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
         fmt::format("least error {} at {}{}{}", error, cell_text(sweep, least), equal_text(sweep, least, least[mae]),
                     sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
     if (is_ao) {
-      const std::size_t truth = column_index(best, "mean_truth");
-      const Estimate mean_truth{to_number(least[truth]), to_number(least[truth + 1]), to_number(least[truth + 2])};
-      add_without_ao(presentation, to_number(least[mae]), mean_truth);
+      const auto estimate_at = [&](std::size_t c) {
+        return Estimate{to_number(least[c]), to_number(least[c + 1]), to_number(least[c + 2])};
+      };
+      add_without_ao(presentation, estimate_at(mae), estimate_at(column_index(best, "mean_truth")),
+                     to_number(least[column_index(best, "mean_raster")]));
     }
   }
   if (ranks_filters)
@@ -358,8 +377,10 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   for (const std::vector<Value>& row : best.rows) {
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
     const double number = to_number(row[mae]);
-    std::string line = fmt::format("  {}: least error {}{}", row_text(sweep, row, listed), error_text(best, row),
-                                   others.empty() ? "" : " at " + row_text(sweep, row, others));
+    const std::vector<std::size_t> group = read_axes(sweep, row, listed);
+    const std::string where = row_text(sweep, row, read_axes(sweep, row, others));
+    std::string line = fmt::format("  {}: least error {}{}", row_text(sweep, row, group.empty() ? listed : group),
+                                   error_text(best, row), where.empty() ? "" : " at " + where);
     // Cells that differ in what they do not read are the same.
     if (std::ranges::find(lines, line, &std::pair<double, std::string>::second) != lines.end()) continue;
     lines.emplace_back(std::isnan(number) ? std::numeric_limits<double>::infinity() : number, std::move(line));

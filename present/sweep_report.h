@@ -14,10 +14,13 @@ namespace umbrameter {
 /// For each line of the plots its row of least error, by the values that tell the lines apart; at most 1,000.
 Table best_rows(const SweepResults& sweep);
 
-/// The values of those axes that the cell of a row reads, or of all where it reads none: "shadow.resolution 256"; with
-/// fewer digits than sweep.csv.
+/// Those of the axes whose parameters change something in the cell of a row: no size of a kernel that its filter lacks.
+std::vector<std::size_t> read_axes(const SweepResults& sweep, const std::vector<Value>& row,
+                                   std::vector<std::size_t> axes);
+/// The values of those axes: "shadow.resolution 256"; with fewer digits than sweep.csv.
 std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes);
-/// Those of all axes: "shadow.constant-bias 0.05 m, shadow.resolution 256".
+/// Those of all axes that the cell reads, or of all where it reads none: "shadow.constant-bias 0.05 m,
+/// shadow.resolution 256".
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row);
 
 /// The axes whose optimum lies at an end of theirs, of the rows of best_rows().

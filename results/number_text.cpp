@@ -39,6 +39,10 @@ int decimals_of(double number, int digits) {
   return std::clamp(digits - 1 - static_cast<int>(power), 0, 9);
 }
 
+std::string depth_text(double depth) {
+  return std::isfinite(depth) ? with_minus(fmt::format("{:.3g}", halves_up(depth))) : "—";
+}
+
 std::string with_minus(std::string text) {
   const bool is_0 = text.find_first_not_of("-0.") >= text.find(' ');
   if (text.starts_with('-')) text.replace(0, 1, is_0 ? "" : "−");

@@ -13,6 +13,9 @@ namespace umbrameter {
 /// Decimals with which a number shows that many significant digits; 0 for the number 0.
 int decimals_of(double number, int digits);
 
+/// A depth from 0 to 1, to three significant digits however small: "6.57e-05".
+std::string depth_text(double depth);
+
 /// "−0.5" of "-0.5", the minus sign of texts for people, and "0.0" of "-0.0".
 std::string with_minus(std::string text);
 /// The same with a plus sign where the number is above 0: "+0.5".

@@ -41,9 +41,10 @@ void read_part(const Json& part, const MeasuredStatistic& of_part, std::vector<M
       measured.name = name;
       const KnownStatistic* known = find_known(measured.kind, name);
       if (known != nullptr) measured.unit = known->unit;
-      measured.value = number_of(value);
+      measured.value = measured.lower = number_of(value);
       measured.degrees_of_freedom = degrees_of_freedom;
       if (values.contains(name + "_lo") && values.contains(name + "_hi")) {
+        measured.lower = number_of(values[name + "_lo"]);
         // Below the value, bounds also hold what its noise may have added.
         measured.half_width = number_of(values[name + "_hi"]) - measured.value;
       } else if (known != nullptr && known->is_share && pixels > 0.0) {

@@ -25,6 +25,7 @@ struct MeasuredStatistic {
   std::string name;
   std::string unit;            ///< empty if it is not a known statistic
   double value = 0.0;          ///< NaN if nothing was measured
+  double lower = 0.0;          ///< end of its interval over rays, which holds the value without noise; else the value
   double half_width = 0.0;     ///< how far other rays may move the value, 95 % of them; 0 where nothing was sampled
   int degrees_of_freedom = 0;  ///< of the reference's variance of each pixel; 0 if not known
   double pixel_share = 0.0;    ///< what a whole pixel adds to a share whose reference is exact; else 0

@@ -59,8 +59,7 @@ CostNoise cost_noise(const TuneGoal& goal, const std::vector<CaseValues>& cases,
 
 bool have_same_blocks(const LeftOutBlocks& a, const LeftOutBlocks& b) {
   return std::ranges::equal(
-      a, b, {}, [](const BlocksOfCase& each) { return each.without.size(); },
-      [](const BlocksOfCase& each) { return each.without.size(); });
+      a, b, [](const BlocksOfCase& x, const BlocksOfCase& y) { return x.without.size() == y.without.size(); });
 }
 
 // Where the default has lost a block of a case, too.

@@ -32,8 +32,8 @@ LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoa
 std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<CaseValues>& cases,
                                       const LeftOutBlocks& blocks, const LeftOutBlocks& of_default = {});
 
-/// Cost of `a` − cost of `b`, paired; of a relative goal, b is not the default, which has no interval of its own.
-/// Nothing where a case has no blocks, and with few_blocks().
+/// Cost of `a` − cost of `b`, paired. Of a relative goal neither is the default, which costs 1: its cost_interval()
+/// says how far a point is from it. Nothing where a case has no blocks, and with few_blocks().
 std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<CaseValues>& a,
                                         const LeftOutBlocks& blocks_a, const std::vector<CaseValues>& b,
                                         const LeftOutBlocks& blocks_b, const LeftOutBlocks& of_default = {});

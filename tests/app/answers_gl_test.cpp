@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
 struct Answers : GlRun {
   // Runs one command at a small size; what it prints on stdout, and its summary.
   std::string run(const std::vector<std::string>& command, const std::string& name = "out") {
@@ -282,34 +280,6 @@ TEST_F(Answers, Few_pixels_are_counted_aloud_whatever_the_technique_and_command)
                                     "16", "--no-figures", "--quiet"}));
     EXPECT_NE(result.out.find("only 26 counted pixels"), std::string::npos) << result.out;
   }
-}
-
-// A filter of one tap has no size, so the answer names none.
-TEST_F(Answers, The_best_cell_names_only_parameters_that_it_reads) {
-  const std::string out = run({"sweep", "corner", "--light", "0", "--no-figures", "--vary", "shadow.filter=nearest,box",
-                               "--vary", "shadow.filter-size=3,5"});
-  EXPECT_EQ(first_line(out).find("shadow.filter-size"), std::string::npos) << out;
-  EXPECT_NE(first_line(out).find("at shadow.filter nearest"), std::string::npos) << out;
-}
-
-TEST_F(Answers, A_line_about_a_group_of_cells_names_it_though_its_best_cell_reads_none_of_it) {
-  const ProgramResult result =
-      run_program({"sweep", "corner", "--light", "sun", "--no-figures", "--vary", "shadow.technique=pcf,vsm", "--vary",
-                   "shadow.receiver-plane=false,true", "--size", "96x54", "-o", folder_ / "out"});
-  expect_words(result.out, {"\n  shadow.receiver-plane false: least error ", " at shadow.technique vsm\n"});
-}
-
-TEST_F(Answers, Of_many_groups_the_best_are_printed_and_the_rest_is_counted) {
-  const ProgramResult result =
-      run_program({"sweep", "two-occluders", "--light", "spot", "--light.radius", "0.15", "--truth.spp", "64", "--vary",
-                   "shadow.filter=nearest,bilinear,box,tent,gaussian,poisson", "--vary", "shadow.filter-size=3,5,9",
-                   "--vary", "shadow.constant-bias=1texels:8texels:4:log", "--size", "96x54", "-o", folder_ / "out"});
-  // 18 combinations, of which nearest, bilinear and poisson do not read the size; the best one is the first line.
-  expect_words(result.out, {"\n  shadow.filter tent, shadow.filter-size 3 texels: least error ",
-                            "\n  3 more have a larger error: table 'Cells of least error' of the page\n"});
-  EXPECT_EQ(result.out.find("filter bilinear: "), result.out.rfind("filter bilinear: ")) << result.out;
-  const std::string page = text_of(folder_ / "out/index.html");
-  expect_words(page, {"of each combination of shadow.filter and shadow.filter-size.", "Figures: the first 12 of 24."});
 }
 
 TEST_F(Answers, A_bias_beside_the_recommended_one_does_not_read_like_it) {

@@ -23,6 +23,8 @@ inline std::vector<std::string> words(std::vector<std::string> first, const std:
   return first;
 }
 
+inline std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 inline std::set<std::string> channel_names(const std::filesystem::path& exr) {
   std::set<std::string> names;
   for (const Channel& channel : read_exr(exr).channels) names.insert(channel.name);

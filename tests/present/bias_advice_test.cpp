@@ -48,7 +48,7 @@ TEST(BiasAdvice, Acne_that_the_run_does_not_have_is_no_reason_for_a_bias) {
   changed.plateau.recommended.acne = 0.000971;
   changed.plateau.recommended.constant = 1.9;
   EXPECT_EQ(advice_text(changed).find("for acne"), std::string::npos) << advice_text(changed);
-  EXPECT_TRUE(advice_text(changed).ends_with(", from 1.9 texels on with acne of at most 0.1 %"))
+  EXPECT_TRUE(advice_text(changed).ends_with("; of these, acne is at most 0.1 % from 1.9 texels on"))
       << advice_text(changed);
   EXPECT_EQ(advice_text(changed).find("use bias 1.9 texels (3.8 cm): acne 0 % → 0.0971 %, error 5.00 % → 2.00 %"), 0u)
       << advice_text(changed);

@@ -29,6 +29,11 @@ TEST(NumberText, Numbers_of_a_column_keep_their_zeros_and_have_a_minus_sign) {
   EXPECT_EQ(percent(-0.008), "−0.800 %");
 }
 
+TEST(NumberText, A_depth_has_three_significant_digits_however_small) {
+  EXPECT_EQ(depth_text(0.00212), "0.00212");
+  EXPECT_EQ(depth_text(6.571e-5), "6.57e-05");
+}
+
 TEST(NumberText, Zero_has_no_sign) {
   for (const char* text : {"-0", "-0.00", "-0 m"}) EXPECT_EQ(with_minus(text), std::string(text).substr(1));
   EXPECT_EQ(with_minus("-0.04 m"), "−0.04 m");
