@@ -259,6 +259,7 @@ TEST(CostDifference, Has_an_interval_that_holds_it_95_times_in_100_for_few_block
     constexpr int draws = 400;
     int of_cost = 0;
     int of_difference = 0;
+    int of_ratio = 0;
     for (std::uint32_t draw = 0; draw < draws; ++draw) {
       std::vector<CaseValues> a, b;
       LeftOutBlocks without_a, without_b;
@@ -296,9 +297,13 @@ TEST(CostDifference, Has_an_interval_that_holds_it_95_times_in_100_for_few_block
       of_cost += cost.lower <= 0.5 && 0.5 <= cost.upper ? 1 : 0;
       const Estimate difference = *cost_difference(mae, b, without_b, a, without_a);
       of_difference += difference.lower <= -0.025 && -0.025 <= difference.upper ? 1 : 0;
+      TuneGoal relative = mae;
+      relative.is_relative = true;
+      const Estimate ratio = *cost_interval(relative_to(relative, a), b, without_b, without_a);
+      of_ratio += ratio.lower <= 0.95 && 0.95 <= ratio.upper ? 1 : 0;
     }
     // 92 to 98 %; the standard error of a share of 400 draws is 1.1 %.
-    for (const int held : {of_cost, of_difference}) {
+    for (const int held : {of_cost, of_difference, of_ratio}) {
       EXPECT_GE(held, 0.92 * draws) << cases << " cases, " << blocks << " blocks";
       EXPECT_LE(held, 0.98 * draws) << cases << " cases, " << blocks << " blocks";
     }
