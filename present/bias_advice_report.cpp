@@ -111,9 +111,7 @@ ReportTable advice_table(const BiasAdvice& advice) {
   add_row(is_kept ? "in this run: keep it" : "in this run", advice.used);
   if (!advice.withheld && !is_kept) add_row("recommended", advice.plateau.recommended);
   add_row(formula_names[0], advice.plateau.least);
-  const std::string good = advice.plateau.is_by_pixels
-                               ? fmt::format("within {} wrong pixels of the least error", chance_pixels)
-                               : std::string("within 5 % of the least error");
+  const std::string good = fmt::format("within {} of the least error", tolerance_text(advice.plateau.is_by_pixels));
   add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest bias " + good, advice.plateau.first);
   add_row(advice.plateau.open_above ? "largest bias tested" : "largest bias " + good, advice.plateau.last);
   if (advice.line.little_acne) add_row(formula_names[1], *advice.line.little_acne);

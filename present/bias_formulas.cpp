@@ -63,9 +63,9 @@ std::string errors_text(const BiasFormula& formula) {
     if (!term) return;
     const double error = term->standard_error;
     const bool is_length = which == FormulaTerm::constant;
-    text += fmt::format("{}{} {}{}", text.empty() ? "standard errors: " : ", ", what,
-                        is_length ? metres_text(error, 2) : fmt::format("{:.2g}", error),
-                        printed_term(formula, which) ? "" : " (left out as 0)");
+    text += fmt::format("{}{}{} {}", text.empty() ? "standard errors: " : ", ", what,
+                        printed_term(formula, which) ? "" : " (left out as 0)",
+                        is_length ? metres_text(error, 2) : fmt::format("{:.2g}", error));
   };
   add(FormulaTerm::constant, "constant");
   add(FormulaTerm::slope, "factor of Δz");

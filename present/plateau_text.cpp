@@ -32,8 +32,12 @@ std::pair<double, double> rounded_inwards(double first, double last) {
   return up <= down ? std::pair{up, down} : std::pair{first, last};
 }
 
+std::string tolerance_text(bool is_by_pixels) {
+  return is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : "5 %";
+}
+
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
-                       const char* only, const std::vector<double>& axis) {
+                       const char* only, const std::vector<double>& axis, const std::string& tolerance) {
   const auto [first, last] = axis.empty() ? rounded_inwards(plateau.first.constant, plateau.last.constant)
                                           : std::pair{plateau.first.constant, plateau.last.constant};
   const auto number = [&](double bias) {
@@ -42,13 +46,12 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
   };
   const std::string of_unit = unit == LengthUnit::metres ? "" : fmt::format(" {}", unit_name(unit));
   const bool is_only = first == last;
-  const bool has_none = plateau.least.mae == 0.0;
+  const bool has_none = plateau.least.mae == 0.0 && tolerance.empty();
+  const std::string good_by = tolerance.empty() ? tolerance_text(plateau.is_by_pixels) : tolerance;
   const std::string of_least = fmt::format("of the least {}{}", what, least.empty() ? "" : ", " + least);
-  const std::string good = plateau.is_by_pixels
-                               ? has_none ? fmt::format("at most {} wrong pixels", chance_pixels)
-                                          : fmt::format("within {} wrong pixels {}", chance_pixels, of_least)
-                           : has_none ? fmt::format("no {}", what)
-                                      : fmt::format("within 5 % {}", of_least);
+  const std::string good = !has_none              ? fmt::format("within {} {}", good_by, of_least)
+                           : plateau.is_by_pixels ? "at most " + good_by
+                                                  : fmt::format("no {}", what);
   const char* verb = has_none ? (is_only ? "has" : "have") : is_only ? "is" : "are";
   if (is_only) return fmt::format("{} {} {}", only, verb, good);
   return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);

@@ -18,11 +18,15 @@ inline constexpr const char* only_of_axis = "only this bias of the axis";
 /// The ends of a range to three digits that lie within it, or as they are where it has no such digits.
 std::pair<double, double> rounded_inwards(double first, double last);
 
+/// How much more than the least error is as good: "5 %", or "3 wrong pixels".
+std::string tolerance_text(bool is_by_pixels);
+
 /// "2.2 to 18 texels are within 5 % of the least error, 0.271 %". The biases are in `unit`; `what` is "error" or
 /// "cost", and `least` its least value as text, which may be empty. `only` begins the text of a single bias. Values of
-/// an axis that is given are printed as it has them.
+/// an axis that is given are printed as it has them. `tolerance` takes the place of tolerance_text().
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
-                       const char* only = "only this bias", const std::vector<double>& axis = {});
+                       const char* only = "only this bias", const std::vector<double>& axis = {},
+                       const std::string& tolerance = {});
 
 /// " for acne of at most 0.1 %" where that decides which bias is recommended: between those of the range, or, with
 /// `is_for_acne`, against the bias in use.

@@ -143,7 +143,7 @@ std::string bias_range_text(const TuneSummary& summary) {
   if (!is_free) which.emplace_back("only biases that keep the constraints");
   std::string text = fmt::format("constant-bias{}: ", which.empty() ? "" : " (" + joined(which, "; ") + ")") +
                      range_text(plateau, axis->axis.length_unit, is_free ? "cost on the axis" : "cost of these",
-                                cost_text(summary.goal, plateau.least.mae), only_of_axis);
+                                cost_text(summary.goal, plateau.least.mae), only_of_axis, {}, tolerance_text(summary));
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) {
@@ -222,15 +222,13 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     best = "best point, whose bias is not recommended";
   } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
-    const std::string good = result.plateau->is_by_pixels
-                                 ? fmt::format("has at most {} wrong pixels more than the best of them", chance_pixels)
-                                 : std::string("costs at most 5 % more than the best of them");
     answers.push_back(fmt::format(
-        "use {}: {} {}{}, acne {}{}. Of the constant biases{}{}, this is the smallest that {} and has acne of at most "
-        "0.1 %{}; a larger one detaches shadows that these views may not show",
+        "use {}: {} {}{}, acne {}{}. Of the constant biases{}{}, this is the smallest that costs at most {} more than "
+        "the best "
+        "of them and has acne of at most 0.1 %{}; a larger one detaches shadows that these views may not show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
         has_cases ? "at most " : "", percent(used.acne), goal.constraints.empty() ? "" : " that keep the constraints",
-        summary.axes.size() > 1 ? " (with the same other values)" : "", good,
+        summary.axes.size() > 1 ? " (with the same other values)" : "", tolerance_text(summary),
         has_cases ? " in every case of the search" : ""));
     best = std::string("best point, of least cost") + where_kept;
   }

@@ -38,13 +38,12 @@ std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const
   return fmt::format("; no longer at {}", value_text(axis, below ? *below : *above));
 }
 
-std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
+std::string good_values_text(const TuneSummary& summary, const AxisScan& scan) {
   const TuneAxis& axis = summary.axes[scan.axis];
   const auto range = range_within(summary, scan);
   if (!range) return "—";
   std::string ends = ends_text(axis, *range);
   if (!ends.empty()) ends = " (" + ends + ")";
-  if (summary.result.limit.is_by_pixels) ends = fmt::format("; within {} wrong pixels", chance_pixels) + ends;
   const std::optional<BiasPlateau>& plateau = summary.result.plateau;
   const std::string outside = outside_text(summary, scan, *range);
   if (range->first == range->second)
@@ -118,12 +117,9 @@ Table sensitivity_table(const TuneSummary& summary) {
       {{"parameter", "", "varied; the others keep their best values"},
        {"axis", "", "values that were allowed"},
        {"best", "", "value of least cost"},
-       {"within 5 %", "",
-        (summary.result.limit.is_by_pixels
-             ? fmt::format(
-                   "range around it in which the cost is at most {} wrong pixels higher, which is more than 5 %",
-                   chance_pixels)
-             : std::string("range around it in which the cost is at most 5 % higher")) +
+       {"within " + tolerance_text(summary), "",
+        "range around it in which the cost is at most so much higher" +
+            std::string(summary.result.limit.is_by_pixels ? " (3 of all counted pixels, which is more than 5 %)" : "") +
             ": of a constant bias from its whole curve where that was measured, else of the measured values, of which "
             "the nearest outside are named; values that break a constraint are outside"},
        {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},
@@ -131,7 +127,7 @@ Table sensitivity_table(const TuneSummary& summary) {
   for (const AxisScan& scan : summary.result.scans) {
     const TuneAxis& axis = summary.axes[scan.axis];
     table.rows.push_back({axis.key(), axis.axis.text, value_text(axis, summary.result.best.values[scan.axis]),
-                          tolerance_text(summary, scan), worst_text(summary, scan)});
+                          good_values_text(summary, scan), worst_text(summary, scan)});
   }
   return table;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "present/plateau_text.h"
 #include "present/presentation.h"
 #include "results/number_text.h"
 
@@ -16,6 +17,14 @@ std::string statistic_text(double value, const std::string& unit) {
   if (unit == "1") return percent(value);
   if (unit == "m") return metres_text(value);
   return with_minus(fmt::format("{:.3g} {}", value, unit));
+}
+
+std::string tolerance_text(const TuneSummary& summary) {
+  const PlateauLimit& limit = summary.result.limit;
+  // One pixel counts more in the mean of the cases where its case has fewer.
+  if (limit.is_by_pixels && summary.cases.size() > 1)
+    return digits_text(100.0 * (limit.error - summary.result.best.score.cost), 2) + " percentage points";
+  return tolerance_text(limit.is_by_pixels);
 }
 
 std::string column_words(const TuneGoal& goal, std::size_t column) {

@@ -30,6 +30,10 @@ std::string cost_text(const TuneGoal& goal, double value, const std::optional<Es
 std::string difference_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval,
                             const char* points);
 
+/// How much more than the least cost is as good: "5 %", "3 wrong pixels", or of the mean of several cases
+/// "0.0027 percentage points".
+std::string tolerance_text(const TuneSummary& summary);
+
 /// "constant-bias 2.4 texels, slope-bias 0.8".
 std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values);
 std::string value_text(const TuneAxis& axis, const Value& value);

@@ -27,5 +27,22 @@ TEST(TuneSensitivity, A_point_beside_the_search_that_is_better_than_its_best_one
   expect_words(missed_points(summary)[0], {"ao.radius: the search missed 1.75 m", "--evaluations"});
 }
 
+// Three of 1,000 counted pixels are 0.3 %, whatever case they are of.
+TEST(TuneSensitivity, A_range_by_pixels_is_a_share_of_them_where_several_cases_are_averaged) {
+  Experiment experiment;
+  TuneSummary summary;
+  summary.axes = {parse_tune_axis(describe(experiment), "shadow.slope-bias", "0:4")};
+  summary.goal = make_goal("mae", {}, "shadow", summary.axes, false);
+  summary.result.best = point(2.0, 0.001);
+  summary.result.limit = limit_of_plateau(0.001, 1000);
+  summary.result.scans = {{0, {point(0.0, 0.1), point(2.0, 0.001), point(4.0, 0.0035)}}};
+  summary.cases = {"sun"};
+  const Table of_one = sensitivity_table(summary);
+  EXPECT_EQ(of_one.columns[3].name, "within 3 wrong pixels");
+  EXPECT_EQ(to_string(of_one.rows[0][3]), "2 to 4 texels (upper end of the axis); no longer at 0 texels");
+  summary.cases = {"sun", "lamp"};
+  EXPECT_EQ(sensitivity_table(summary).columns[3].name, "within 0.30 percentage points");
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -83,9 +83,9 @@ export class BiasPanel {
     const jumps = make('div', {class: 'buttons'}, jump(`Bias of ${what}`, () => marked_index(bias)),
                        jump('Least error of all biases', () => best_index(bias)));
     const controls = can_move ? [make('div', {class: 'row'}, slider, jumps)] : [];
-    const hint = (can_move ? `A dashed line stays at the bias of ${what} when the slider moves. ` : `The vertical line is at the bias of ${what}. `) + 'Drag below the curve, or with Shift, to select a range of ' +
+    const hint = (can_move ? `A dashed line stays at the bias of ${what} when the slider moves. ` : `The vertical line is at the bias of ${what}. `) + 'Drag below the curve, or with Shift on it, to select a range of ' +
       'biases: the bars then show the mean over its biases.' + (can_move
-      ? ' The images follow the slider: each wrong tap is stored with the bias at which it flips.' : '');
+      ? ' The images follow the slider.' : '');
     this.element.append(make('div', {class: 'panes'},
       make('div', {class: 'chart'}, ...controls, this.curve.svg, brush),
       make('div', {}, reading,
