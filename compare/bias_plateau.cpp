@@ -34,7 +34,9 @@ ConnectedRange connected_range(std::span<const double> values, std::size_t insid
 PlateauLimit limit_of_plateau(double least, std::uint64_t pixels, std::optional<double> floor) {
   const double of_share = std::max(plateau_limit(floor.value_or(least)), least);
   const double of_pixels = pixels > 0 ? least + chance_pixels / static_cast<double>(pixels) : of_share;
-  return {std::max(of_share, of_pixels), of_pixels > of_share};
+  constexpr double rounding = 1e-12;  // 22/N + 3/N may be less than 25/N
+  const double limit = std::max(of_share, of_pixels);
+  return {limit + rounding * std::abs(limit), of_pixels > of_share};
 }
 
 std::optional<BiasPlateau> plateau_of(std::span<const BiasCell> cells, std::optional<double> floor,

@@ -84,7 +84,8 @@ ReportTable advice_table(const BiasAdvice& advice) {
   // Where texels grow with the distance, a bias in the unit in use is several lengths in the other.
   const bool is_in_metres = advice.unit == LengthUnit::metres;
   const auto on_average = [&](const char* unit, bool is_own) {
-    return std::string(unit) + (advice.texels_differ && !is_own ? ", on average" : "");
+    if (!advice.texels_differ || is_own) return std::string(unit);
+    return std::string(unit) == "1" ? std::string("on average") : std::string(unit) + ", on average";
   };
   Table table{{{"constant bias", "", "all other parameters as in this run"},
                {"along the light", on_average("m", is_in_metres),

@@ -57,21 +57,26 @@ std::string formula_text(const BiasFormula& formula) {
 }
 
 std::string errors_text(const BiasFormula& formula) {
-  std::string text;
+  std::string printed;
+  std::string left_out;
   const auto add = [&](FormulaTerm which, const char* what) {
     const std::optional<Fitted>& term = formula.term(which);
     if (!term) return;
-    const double error = term->standard_error;
     const bool is_length = which == FormulaTerm::constant;
-    text += fmt::format("{}{}{} {}", text.empty() ? "standard errors: " : ", ", what,
-                        printed_term(formula, which) ? "" : " (left out as 0)",
-                        is_length ? metres_text(error, 2) : fmt::format("{:.2g}", error));
+    const std::string error =
+        is_length ? metres_text(term->standard_error, 2) : fmt::format("{:.2g}", term->standard_error);
+    if (printed_term(formula, which)) {
+      printed += fmt::format("{}{} {}", printed.empty() ? "standard errors: " : ", ", what, error);
+    } else {
+      left_out += fmt::format("{}the {}, 0 within its standard error of {}, is left out", left_out.empty() ? "" : "; ",
+                              what, error);
+    }
   };
   add(FormulaTerm::constant, "constant");
   add(FormulaTerm::slope, "factor of Δz");
   add(FormulaTerm::slope_radius, "factor of r·Δz");
   add(FormulaTerm::depth_step, "factor of δ");
-  return text;
+  return printed + (printed.empty() || left_out.empty() ? "" : "; ") + left_out;
 }
 
 std::string symbols_text(std::span<const CurveFormula* const> formulas) {

@@ -14,7 +14,7 @@ inline constexpr double formula_rounding = 1e-6;
 /// "bias ≈ 0.31 mm + (0.502 + 1.003·r)·Δz", of printed_term().
 std::string formula_text(const BiasFormula& formula);
 
-/// "standard errors: constant 1.7 cm, factor of Δz 0.12".
+/// "standard errors: factor of Δz 0.12; the constant, 0 within its standard error of 1.7 cm, is left out".
 std::string errors_text(const BiasFormula& formula);
 
 /// A term of the formula, rounded(); empty if it is absent or nothing of it is left.

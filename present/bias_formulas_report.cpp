@@ -42,7 +42,7 @@ std::string texel_range(const FormulaRange& range) {
 bool has_no_residual(const BiasFormula& formula) { return formula.residual < formula_rounding * formula.axis_step; }
 
 std::string residual_text(const BiasFormula& formula) {
-  if (has_no_residual(formula)) return "no residual, so that standard errors come from the step of the bias axis alone";
+  if (has_no_residual(formula)) return "no residual";
   return fmt::format("RMS residual {} ({:.2g} texels), largest {}", metres_text(formula.residual, 2),
                      formula.residual_texels, metres_text(formula.worst_residual, 2));
 }
@@ -323,7 +323,8 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   const std::string symbols = symbols_text(all);
   section.text += fmt::format(
       "\n\nThe table 'Formulas of the bias' fits the bias over {} by {}. {}{}Independent points differ in texel size, "
-      "Δz, filter radius or depth step; only they count in the standard errors. Use a formula only within the range "
+      "Δz, filter radius or depth step; only they count in the standard errors, which without a residual come from the "
+      "step of the bias axis alone. Use a formula only within the range "
       "that it was fitted over.",
       names_of(curves.formula_axes), method, symbols, symbols.empty() ? "" : ". ");
   const std::vector<std::vector<Value>> settings = settings_of(curves);

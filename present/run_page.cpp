@@ -40,7 +40,7 @@ ConvertedBiasText converted_bias(const RunResults& results, const SweepResults& 
           bias_text(*curves, *curve, curve->plateau->recommended)};
 }
 
-// The cell of least error.
+// The cell of least error, or the first of cells that are all equal.
 Presentation present_cell(const RunResults& results, const SweepResults& rows, const std::string& cell) {
   const Measurement& measurement = *results.measurement;
   const LayeredImage& layers = measurement.layers;
@@ -64,10 +64,11 @@ Presentation present_cell(const RunResults& results, const SweepResults& rows, c
   // The sweep's own part has the answer: that of a bias names one for each combination of the other axes, any other the
   // cell itself.
   part.lines.clear();
-  if (results.sweep->curves) part.lines.push_back("cell of least error: " + cell);
+  const bool is_flat = are_all_equal(rows);
+  if (results.sweep->curves && !is_flat) part.lines.push_back("cell of least error: " + cell);
   for (const std::string& answer : std::exchange(part.answers, {})) part.lines.push_back("  " + answer);
   add_engines(part, engines, converted.what, converted.bias);
-  part.section.title += " in the cell of least error";
+  part.section.title += is_flat ? " in one of the cells, which are all equal" : " in the cell of least error";
   part.section.text = fmt::format("This section shows the cell {}.\n\n", cell) + part.section.text;
   return part;
 }

@@ -226,26 +226,6 @@ bool has_edges(const SweepResults& sweep) {
                              [](const StoredColumn& each) { return measures_edges(each.column.name); });
 }
 
-// Whether every cell has the same value in each measured column.
-bool are_all_equal(const SweepResults& sweep) {
-  std::vector<std::string> measured;
-  const std::vector<StoredColumn>& columns = sweep.store.description().columns;
-  for (std::size_t c = sweep.plan.axes.size(); c < columns.size(); ++c) measured.push_back(columns[c].column.name);
-  const auto is_nan = [](const Value& value) {
-    const auto* number = std::get_if<double>(&value);
-    return number != nullptr && std::isnan(*number);
-  };
-  std::vector<Value> first;
-  bool are_equal = true;
-  sweep.store.read(measured, [&](std::span<const Value> values) {
-    if (first.empty()) first.assign(values.begin(), values.end());
-    are_equal = are_equal && std::ranges::equal(values, first, [&](const Value& a, const Value& b) {
-                  return a == b || (is_nan(a) && is_nan(b));
-                });
-  });
-  return are_equal;
-}
-
 std::string equal_cells_text(const SweepResults& sweep, const std::string& error) {
   const std::string keys = joined(sweep.plan.axes, ", ", &SweepAxis::key);
   return fmt::format("all {} cells are equal: error {}; {} {} nothing here", sweep.plan.cells, error, keys,
@@ -264,6 +244,26 @@ Table best_as_read(const SweepResults& sweep, Table best) {
 }
 
 }  // namespace
+
+bool are_all_equal(const SweepResults& sweep) {
+  if (sweep.plan.cells < 2) return false;
+  std::vector<std::string> measured;
+  const std::vector<StoredColumn>& columns = sweep.store.description().columns;
+  for (std::size_t c = sweep.plan.axes.size(); c < columns.size(); ++c) measured.push_back(columns[c].column.name);
+  const auto is_nan = [](const Value& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr && std::isnan(*number);
+  };
+  std::vector<Value> first;
+  bool are_equal = true;
+  sweep.store.read(measured, [&](std::span<const Value> values) {
+    if (first.empty()) first.assign(values.begin(), values.end());
+    are_equal = are_equal && std::ranges::equal(values, first, [&](const Value& a, const Value& b) {
+                  return a == b || (is_nan(a) && is_nan(b));
+                });
+  });
+  return are_equal;
+}
 
 Table best_rows(const SweepResults& sweep) {
   const std::vector<std::string> keys =
@@ -306,7 +306,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     return presentation;
   }
   const bool is_ao = sweep.quantity() == SweptQuantity::ao;
-  const bool is_flat = sweep.plan.cells > 1 && are_all_equal(sweep);
+  const bool is_flat = are_all_equal(sweep);
   if (is_flat) presentation.answers.push_back(equal_cells_text(sweep, error));
   const char* headline = open_ends.empty() ? "least mean absolute error" : "least mean absolute error tested";
   section.headlines = {{headline, error, cell_text(sweep, least)},

@@ -23,6 +23,9 @@ std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, c
 /// shadow.resolution 256".
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row);
 
+/// Whether every cell has the same value in each measured column, and there are several.
+bool are_all_equal(const SweepResults& sweep);
+
 /// The axes whose optimum lies at an end of theirs, of the rows of best_rows().
 std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best);
 

@@ -132,6 +132,7 @@ TEST_F(Answers, Cells_or_points_that_are_all_equal_are_said_to_be_and_none_is_ca
   EXPECT_TRUE(first_line(cells) == "all 3 cells are equal: error 0 %; shadow.constant-bias changes nothing here")
       << cells;
   EXPECT_EQ(cells.find("least"), std::string::npos) << cells;
+  EXPECT_EQ(text_of(folder_ / "out/index.html").find(" in the cell of least error"), std::string::npos);
   const std::string points =
       run({"tune", "tilted-plane", "--light", "sun-60", "--no-figures", "--vary", "shadow.constant-bias=1:3"}, "tuned");
   EXPECT_TRUE(first_line(points).ends_with(

@@ -122,6 +122,10 @@ TEST(BiasPlateau, Of_few_wrong_pixels_is_not_decided_by_one_or_two) {
   };
   EXPECT_EQ(plateau_of(ramp(0.0029), {}, 10'000)->recommended.constant, 1.0);
   EXPECT_EQ(plateau_of(ramp(0.0026), {}, 10'000)->recommended.constant, 2.0);
+  // Three more are three more, though in doubles 22/N + 3/N is less than 25/N.
+  const std::vector<BiasCell> three = {plateau_cell(1, 0.0, 22.0 / 35796.0), plateau_cell(2, 0.0, 25.0 / 35796.0),
+                                       plateau_cell(3, 0.0, 26.0 / 35796.0)};
+  EXPECT_EQ(plateau_of(three, {}, 35'796)->last.constant, 2.0);
   // Of a million pixels these are 300 against 100.
   EXPECT_EQ(plateau_of(cells, {}, 1'000'000)->recommended.constant, 150.0);
 }

@@ -207,6 +207,31 @@ TEST(RunsReportIntervals, Of_two_techniques_with_one_reference_allow_for_the_noi
   EXPECT_GT(added(made.error[1]), 0.001);
 }
 
+// The RMS error of pixels that are right or wrong is the root of the share of wrong ones: one question, one verdict.
+TEST(RunsReportIntervals, Of_pixels_that_are_right_or_wrong_give_both_errors_one_verdict) {
+  const Noise none(1, 0.0);
+  int significant = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    const auto wrong = [&](double share) {
+      Image<float> error(side, side);
+      for (float& pixel : error.pixels) pixel = unit(random) < share ? -1.0f : 0.0f;
+      return error;
+    };
+    const std::vector<StoredRun> runs = {run_of(wrong(0.020), none), run_of(wrong(0.014), none)};
+    const std::vector<ComparedStatistic> compared = compare_runs(runs);
+    const ComparedValue& root = compared.at(0).values.at(1);
+    const ComparedValue& mean = compared.at(2).values.at(1);
+    EXPECT_EQ(root.verdict, mean.verdict);
+    const double sum = root.measured.value + compared.at(0).values.at(0).measured.value;
+    EXPECT_NEAR(root.difference.upper * sum, mean.difference.upper, 1e-6);
+    significant += mean.verdict == Verdict::significant ? 1 : 0;
+  }
+  EXPECT_GT(significant, 5);
+  EXPECT_LT(significant, 35);
+}
+
 TEST(RunsReportIntervals, What_the_first_run_has_not_measured_is_listed_and_not_compared) {
   const Noise noise(1, 0.1);
   std::vector<StoredRun> runs = {run_of(Techniques(2).error[0], noise), run_of(Techniques(2).error[1], noise)};
