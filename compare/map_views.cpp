@@ -120,7 +120,7 @@ Statistics describe(ViewStatistics& s) {
 
 Statistics describe(SeamStatistics& s) {
   return StatisticsDescription()
-      .field("pixels", s.pixels, "px", "counted pixels near the border of a view that lie on two views")
+      .field("pixels", s.pixels, "px", "counted pixels near the border of a view that a second view covers, too")
       .field("share", s.share, "1", "share of all counted pixels")
       .field("mean_difference", s.mean_difference, "1", "mean |difference of visibility| between the two views")
       .field("largest_difference", s.largest_difference, "1", "largest of these differences")

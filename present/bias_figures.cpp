@@ -249,7 +249,9 @@ PlotFigure front_plot(const Drawing& drawing) {
   plot.conditions = drawing.part.conditions;
   plot.caption =
       "A front shows the biases that no other bias beats in both acne and peter-panning. Rings mark the knee: the "
-      "point farthest below the chord between the ends of the front, on linear axes. Shares of the counted pixels.";
+      "point farthest below the chord between the ends of the front, on linear axes; a front of one bias is a ring. "
+      "Shares "
+      "of the counted pixels.";
   plot.mark = "knee";
   plot.data.columns = plain_columns({"acne", "peter_panning", "line", "knee"});
   const Thinned lines = thin(drawing.lines(), max_lines);
@@ -266,7 +268,8 @@ PlotFigure front_plot(const Drawing& drawing) {
     const Thinned drawn = thin(cells.size(), max_biases);
     is_thinned = is_thinned || drawn.step > 1 || curve->optima.front.thinned;
     for (const std::size_t i : drawn.indices) add_row(*cells[i], false);
-    if (const std::optional<BiasCell> found = knee(curve->optima.front)) add_row(*found, true);
+    const std::optional<BiasCell> found = knee(curve->optima.front);
+    if (found || cells.size() == 1) add_row(found ? *found : *cells.front(), true);
   }
   if (is_thinned) plot.caption += " The figure omits some cells of long fronts.";
   return plot;

@@ -77,7 +77,7 @@ void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
                     formula.independent, formula.points));
   }
   if (formula.independent < 2 * unknowns) {
-    of.warnings.push_back(fmt::format("only {} points for {} unknowns", formula.independent, unknowns));
+    of.warnings.push_back(fmt::format("only {} points for a fit of {} numbers", formula.independent, unknowns));
   }
   const double share = formula.residual / rms_bias(of.points);
   if (formula.residual > formula.axis_step && share > poor_residual_share) {

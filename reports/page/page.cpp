@@ -191,7 +191,7 @@ Json files_data(const fs::path& folder) {
   for (const auto& [name, meaning] : file_meanings) {
     if (std::ranges::find(linked, name) != linked.end()) {
       const bool is_of_cell = name == std::string_view("images.exr") && std::ranges::count(linked, "sweep.csv") > 0;
-      list.push_back({{"name", name}, {"meaning", is_of_cell ? "float layers of the cell shown in full" : meaning}});
+      list.push_back({{"name", name}, {"meaning", is_of_cell ? "float layers of the cell of least error" : meaning}});
     }
   }
   return list;
