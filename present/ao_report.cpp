@@ -29,11 +29,11 @@ std::string reaches_text(const AoParams& params, const std::string& limit) {
   // Only techniques that test points have one; what hides a point in the image may be nearer to the camera than it.
   if (const Parameter* range_check = find(parameters, "ao.range-check")) {
     return fmt::format(
-        "The technique tests points up to {} away, the reference looks for occluders {}. A surface that hides such a "
+        "The reference looks for occluders {}. The technique tests points up to {} away: a surface that hides such a "
         "point from the camera darkens the pixel{}.",
-        reaches, limit,
+        limit, reaches,
         std::get<bool>(range_check->value())
-            ? fmt::format("; where its depth differs from the pixel's by more than {}, the range check fades it out",
+            ? fmt::format(". The range check fades out surfaces whose depth differs from the pixel's by more than {}",
                           metres_text(radius))
             : " from any distance, as ao.range-check is false");
   }

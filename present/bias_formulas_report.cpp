@@ -299,15 +299,17 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   if (curves.formulas.empty()) return;
   ReportSection& section = presentation.section;
   if (std::ranges::none_of(curves.formulas, [](const CurveFormula& of) { return of.formula.has_value(); })) {
-    std::size_t usable = 0;
-    for (const CurveFormula& of : curves.formulas) usable = std::max(usable, of.points.size());
+    std::string counts;
+    for (std::size_t f = 0; f < formula_names.size(); ++f) {
+      std::size_t usable = 0;
+      for (const CurveFormula& of : curves.formulas)
+        if (of.of == static_cast<FormulaOf>(f)) usable = std::max(usable, of.points.size());
+      counts += fmt::format("{}{} of {}", counts.empty() ? "" : ", ", usable, formula_names[f]);
+    }
     const std::string text = fmt::format(
-        "no formula for the bias over {}: it needs three different combinations in which the bias of least error, or "
-        "that of acne at most 0.1 %, is not at an end of the bias axis; there {}",
-        names_of(curves.formula_axes),
-        usable == 0   ? "are none"
-        : usable == 1 ? "is at most 1"
-                      : fmt::format("are at most {}", usable));
+        "no formula for the bias over {}: each needs three biases of different combinations, but there are only {}; in "
+        "the other combinations there is none on the axis, or it may lie beyond its end",
+        names_of(curves.formula_axes), counts);
     const bool has_enough = std::ranges::any_of(
         curves.formulas, [](const CurveFormula& of) { return of.points.size() + of.left_out >= 3; });
     section.text += fmt::format("\n\nThere is {}. {}.", text,

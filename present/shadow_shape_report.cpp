@@ -133,7 +133,7 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
 
 ReportTable caster_report(const SceneFacts& scene, const std::vector<CasterShape>& casters) {
   ReportTable report{"Contact gap and shadow inset by caster", caster_table(scene, casters)};
-  report.remarks.emplace_back("Acne is taken out of the technique's shadow first.");
+  report.remarks.emplace_back("Acne does not count as shadow here.");
   report.remarks.emplace_back(units_note);
   if (casters.size() <= max_casters) return report;
   report.title += fmt::format(": the {} of {} with most contacts and edges", max_casters, casters.size());
@@ -142,10 +142,12 @@ ReportTable caster_report(const SceneFacts& scene, const std::vector<CasterShape
   });
   if (farthest->contacts == 0) return report;
   const double gap = farthest->gap_largest.metres;
+  const auto with_contacts = std::ranges::count_if(casters, [](const CasterShape& each) { return each.contacts > 0; });
   const std::string which =
-      gap > 0.0 ? fmt::format("The largest gap of all {}: {} ({} px), {}", casters.size(), metres_text(gap),
-                              digits_text(farthest->gap_largest.pixels), scene.by_object.names[farthest->object])
-                : fmt::format("None of all {} has a gap", casters.size());
+      gap > 0.0 ? fmt::format("The largest gap of the {} casters with contacts: {} ({} px), {}", with_contacts,
+                              metres_text(gap), digits_text(farthest->gap_largest.pixels),
+                              scene.by_object.names[farthest->object])
+                : fmt::format("None of the {} casters with contacts has a gap", with_contacts);
   report.remarks.push_back(which + ". A gap is any lit strip between foot and shadow, whatever its cause.");
   return report;
 }

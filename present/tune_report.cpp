@@ -223,15 +223,19 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
     answers.push_back(fmt::format(
-        "use {}: {} {}{}, acne {}{}. Of the constant biases{}{}, this is the smallest that costs at most {} more than "
-        "the best "
-        "of them and has acne of at most 0.1 %{}; a larger one detaches shadows that these views may not show",
+        "use {}: {} {}{}, acne {}{}. Of the constant biases{}{}, this is, to three digits, the smallest that "
+        "costs at most {} more than the best of them and has acne of at most 0.1 %{}; a larger one detaches shadows "
+        "that "
+        "these views may not show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
         has_cases ? "at most " : "", percent(used.acne), goal.constraints.empty() ? "" : " that keep the constraints",
         summary.axes.size() > 1 ? " (with the same other values)" : "", tolerance_text(summary),
         has_cases ? " in every case of the search" : ""));
     best = std::string("best point, of least cost") + where_kept;
   }
+  std::string best_values = point_text(summary.axes, result.best.values);
+  if (result.recommended && point_text(summary.axes, result.recommended->values) == best_values)
+    best_values = point_text(summary.axes, result.best.values, 5);
   // With the digits of the other points, so that it reads as the smallest.
   const std::string plain = cost_text(goal, result.best.score.cost);
   const std::string range = cost_text(goal, result.best.score.cost, summary.judgement.best);
@@ -244,8 +248,8 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
           : fmt::format("{}{} ({})", plain.substr(0, plain.find(' ')), range.substr(half_width), covers);
   const std::size_t few_blocks = summary.judgement.few_blocks;
   answers.push_back(
-      fmt::format("{}: {}: {} {}{}{}", best, point_text(summary.axes, result.best.values), cost_words(goal), cost,
-                  of_cases, few_blocks > 0 ? " (no interval: " + few_blocks_text(few_blocks, "the images") + ")" : ""));
+      fmt::format("{}: {}: {} {}{}{}", best, best_values, cost_words(goal), cost, of_cases,
+                  few_blocks > 0 ? " (no interval: " + few_blocks_text(few_blocks, "the images") + ")" : ""));
   if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
   answers.push_back(comparison(summary, "default", result.before, summary.judgement.against_before));
   if (result.runner_up) {

@@ -73,28 +73,29 @@ std::string difference_text(const TuneGoal& goal, double value, const std::optio
   return text;
 }
 
-std::string value_text(const TuneAxis& axis, const Value& value) {
+std::string value_text(const TuneAxis& axis, const Value& value, int digits) {
   const auto* number = std::get_if<double>(&value);
   // The tuned file has all digits; values that differ in the fourth cost the same.
   // Of two equally near numbers the larger, as length_text() does.
   std::string text = number != nullptr
                          ? with_minus(fmt::format("{:.{}g}", *number * (1.0 + std::numeric_limits<double>::epsilon()),
-                                                  std::abs(*number) < 100.0 ? 3 : 5))
+                                                  std::abs(*number) < 100.0 ? digits : digits + 2))
                          : to_string(value);
   // A length in another unit than the axis's.
   if (std::holds_alternative<std::string>(value) && !axis.is_word()) {
     if (const std::optional<Length> length = parse_length(text)) return length_text(*length);
   }
   const std::string& unit = axis.axis.unit;
-  if (number != nullptr && std::isfinite(*number) && unit == "m") return metres_text(*number);
+  if (number != nullptr && std::isfinite(*number) && unit == "m") return metres_text(*number, digits);
   return axis.is_word() ? text : with_unit(text, unit);
 }
 
-std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values) {
+std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values, int digits) {
   std::string text;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const std::string& key = axes[a].key();
-    text += fmt::format("{}{} {}", a > 0 ? ", " : "", key.substr(key.find('.') + 1), value_text(axes[a], values[a]));
+    text += fmt::format("{}{} {}", a > 0 ? ", " : "", key.substr(key.find('.') + 1),
+                        value_text(axes[a], values[a], digits));
   }
   return text;
 }

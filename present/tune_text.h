@@ -35,8 +35,8 @@ std::string difference_text(const TuneGoal& goal, double value, const std::optio
 std::string tolerance_text(const TuneSummary& summary);
 
 /// "constant-bias 2.4 texels, slope-bias 0.8".
-std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values);
-std::string value_text(const TuneAxis& axis, const Value& value);
+std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values, int digits = 3);
+std::string value_text(const TuneAxis& axis, const Value& value, int digits = 3);
 
 /// " (breaks a constraint)" or nothing.
 std::string kept_text(const TuneGoal& goal, const TuneScore& score);

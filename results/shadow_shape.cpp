@@ -22,7 +22,7 @@ std::string missing_contacts_text(const ContactSearch& search) {
   };
   add(search.own_object, "are shadowed by their own object");
   add(search.head_on, "face the light head-on");
-  add(search.distant, "are farther than one texel and 1.5 pixels from their caster");
+  add(search.distant, "do not lie beside their caster");
   add(search.hidden, "touch their caster, but the receiver is hidden, bends or leaves the image before the gap ends");
   return text;
 }

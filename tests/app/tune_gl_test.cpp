@@ -121,9 +121,10 @@ TEST_F(Tune, Its_range_and_its_front_say_what_the_constraints_cut) {
       run_program({"tune", "courtyard", "-o", folder_ / "kept", "--size", "160x90", "--no-figures", "--over",
                    "view.camera=all", "--constraint", "acne<0.1%", "--vary", "shadow.constant-bias=0:8texels"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  expect_words(result.out, {"Of the constant biases that keep the constraints, this is the smallest that",
-                            "constant-bias (only biases that keep the constraints): ", " of the least cost of these, ",
-                            " %, but breaks a constraint that the best point keeps; "});
+  expect_words(result.out,
+               {"Of the constant biases that keep the constraints, this is, to three digits, the smallest that",
+                "constant-bias (only biases that keep the constraints): ", " of the least cost of these, ",
+                " %, but breaks a constraint that the best point keeps; "});
   expect_words(text_of(folder_ / "kept/index.html"),
                {"mean absolute error, the mean of 6 cases", "acne, the mean of 6 cases"});
 }

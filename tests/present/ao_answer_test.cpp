@@ -93,8 +93,8 @@ TEST(AoAnswer, Where_both_look_equally_far_one_distance_is_given) {
 TEST(AoAnswer, A_technique_that_tests_points_is_not_said_to_limit_the_distance_of_occluders) {
   AoMeasurement ao = measurement();
   expect_words(present_ao({}, ao).section.text,
-               {"The technique tests points up to 50 cm away, the reference looks for occluders up to 50 cm.",
-                "; where its depth differs from the pixel's by more than 50 cm, the range check fades it out"});
+               {"The reference looks for occluders up to 50 cm. The technique tests points up to 50 cm away:",
+                "The range check fades out surfaces whose depth differs from the pixel's by more than 50 cm."});
   ao.experiment.ao.ssao.range_check = false;
   expect_words(present_ao({}, ao).section.text, {"from any distance, as ao.range-check is false"});
 }
