@@ -250,8 +250,7 @@ PlotFigure front_plot(const Drawing& drawing) {
   plot.caption =
       "A front shows the biases that no other bias beats in both acne and peter-panning. Rings mark the knee: the "
       "point farthest below the chord between the ends of the front, on linear axes; a front of one bias is a ring. "
-      "Shares "
-      "of the counted pixels.";
+      "Shares of the counted pixels.";
   plot.mark = "knee";
   plot.data.columns = plain_columns({"acne", "peter_panning", "line", "knee"});
   const Thinned lines = thin(drawing.lines(), max_lines);

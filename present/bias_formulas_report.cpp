@@ -326,8 +326,7 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   section.text += fmt::format(
       "\n\nThe table 'Formulas of the bias' fits the bias over {} by {}. {}{}Independent points differ in texel size, "
       "Δz, filter radius or depth step; only they count in the standard errors, which without a residual come from the "
-      "step of the bias axis alone. Use a formula only within the range "
-      "that it was fitted over.",
+      "step of the bias axis alone. Use a formula only within the range that it was fitted over.",
       names_of(curves.formula_axes), method, symbols, symbols.empty() ? "" : ". ");
   const std::vector<std::vector<Value>> settings = settings_of(curves);
   for (std::size_t i = 0; i < std::min(settings.size(), max_formula_plots); ++i) {

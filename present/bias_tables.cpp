@@ -33,8 +33,9 @@ Value texels_of(const BiasCurves& curves, const BiasCurve& curve, const BiasCell
                                            : known(in_units(curves, curve, cell).texels);
 }
 Value depth_of(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
-  return curves.unit == LengthUnit::map_depth ? on_axis(curves.constants, cell.constant)
-                                              : Value(depth_text(in_units(curves, curve, cell).depth));
+  if (curves.unit == LengthUnit::map_depth) return on_axis(curves.constants, cell.constant);
+  const double depth = in_units(curves, curve, cell).depth;
+  return std::isfinite(depth) ? Value(depth_text(depth)) : nothing;
 }
 
 // One recommended bias of one curve.
@@ -157,7 +158,7 @@ std::string constant_text(const BiasCurves& curves, const BiasCurve& curve, cons
   if (curves.unit == LengthUnit::texels) {
     text += fmt::format(" ({}{})", metres_text(bias.metres, digits), average);
   } else if (std::isfinite(bias.texels)) {
-    text += with_minus(fmt::format(" ({:.{}g} texels{})", bias.texels, digits, average));
+    text += with_minus(fmt::format(" ({:.{}g} texels{})", halves_up(bias.texels), digits, average));
   }
   return text;
 }

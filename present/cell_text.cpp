@@ -15,27 +15,27 @@
 namespace umbrameter {
 namespace {
 
-// Whether a parameter of these, "shadow.filter-size", changes nothing in a cell, because its filter does not read it.
+// Erases the axes of these parameters that change nothing in a cell: "shadow.filter-size", where its filter has none.
 template <class Params>
-bool is_unread(const SweepResults& sweep, const std::vector<Value>& row, const std::string& key) {
+void erase_unread(const SweepResults& sweep, const std::vector<Value>& row, std::vector<std::size_t>& axes) {
   Params params;
   const Parameters own = describe(params);
-  if (find(own, key) == nullptr) return false;
+  const auto is_own = [&](std::size_t a) { return find(own, sweep.plan.axes[a].key) != nullptr; };
+  if (std::ranges::none_of(axes, is_own)) return;
   for (const Parameter& parameter : own) parameter.set(require(sweep.parameters, parameter.key).value());
   for (std::size_t a = 0; a < sweep.plan.axes.size(); ++a) {
-    if (find(own, sweep.plan.axes[a].key) != nullptr) set_value(own, sweep.plan.axes[a], row[a]);
+    if (is_own(a)) set_value(own, sweep.plan.axes[a], row[a]);
   }
-  return find(read_parameters(params), key) == nullptr;
+  const Parameters read = read_parameters(params);
+  std::erase_if(axes, [&](std::size_t a) { return is_own(a) && find(read, sweep.plan.axes[a].key) == nullptr; });
 }
 
 }  // namespace
 
 std::vector<std::size_t> read_axes(const SweepResults& sweep, const std::vector<Value>& row,
                                    std::vector<std::size_t> axes) {
-  std::erase_if(axes, [&](std::size_t a) {
-    const std::string& key = sweep.plan.axes[a].key;
-    return is_unread<ShadowParams>(sweep, row, key) || is_unread<AoParams>(sweep, row, key);
-  });
+  erase_unread<ShadowParams>(sweep, row, axes);
+  erase_unread<AoParams>(sweep, row, axes);
   return axes;
 }
 

@@ -19,7 +19,7 @@ Presentation present_rows_there(const PartialSweep& partial, const std::string& 
   Table best = best_rows(partial.rows);
   const std::size_t error = column_index(best, error_statistic);
   std::erase_if(best.rows, [&](const std::vector<Value>& row) { return std::isnan(to_number(row[error])); });
-  Presentation part = present_sweep(partial.rows, best, std::nullopt, {});
+  Presentation part = present_sweep(partial.rows, best, std::nullopt, {}, are_all_equal(partial.rows));
   part.section.title += " that are there";
   for (Headline& headline : part.section.headlines) {
     if (headline.label == "cells") headline = {"cells", cells, "one row each in sweep.partial.csv"};

@@ -63,8 +63,8 @@ inline constexpr const char* filter_caution =
 std::string filter_warning(const std::string& remedy);
 std::string filter_remedy(const std::string& flag);
 
-/// "no AO at all would be closer to the reference: its error is 1.18 %"; empty where AO is better than none. It may be
-/// where the intervals of both errors do not decide.
+/// "no AO at all would be closer to the reference: its error is 1.18 %"; empty where AO is better than none. Where the
+/// intervals of both errors do not decide, "may be". `mean_raster` is the mean accessibility of the technique.
 std::string no_ao_text(const Estimate& error, const Estimate& mean_truth, double mean_raster);
 
 /// Whether these names of metrics or statistics have the one that shows which filter is best against a hard shadow.

@@ -41,7 +41,7 @@ ConvertedBiasText converted_bias(const RunResults& results, const SweepResults& 
 }
 
 // The cell of least error, or the first of cells that are all equal.
-Presentation present_cell(const RunResults& results, const SweepResults& rows, const std::string& cell) {
+Presentation present_cell(const RunResults& results, const SweepResults& rows, const std::string& cell, bool is_flat) {
   const Measurement& measurement = *results.measurement;
   const LayeredImage& layers = measurement.layers;
   Presentation part;
@@ -64,7 +64,6 @@ Presentation present_cell(const RunResults& results, const SweepResults& rows, c
   // The sweep's own part has the answer: that of a bias names one for each combination of the other axes, any other the
   // cell itself.
   part.lines.clear();
-  const bool is_flat = are_all_equal(rows);
   if (results.sweep->curves && !is_flat) part.lines.push_back("cell of least error: " + cell);
   for (const std::string& answer : std::exchange(part.answers, {})) part.lines.push_back("  " + answer);
   add_engines(part, engines, converted.what, converted.bias);
@@ -80,8 +79,9 @@ void present_rows(RunPage& page, const RunResults& results, const SweepResults& 
   for (std::size_t a = 0; a < rows.plan.axes.size(); ++a) {
     page.sweep->least.emplace_back(rows.plan.axes[a].key, least[a]);
   }
-  page.parts.push_back(present_sweep(rows, sweep.best, sweep.curves, page.sweep->open_ends));
-  page.parts.push_back(present_cell(results, rows, cell_text(rows, least)));
+  const bool is_flat = are_all_equal(rows);
+  page.parts.push_back(present_sweep(rows, sweep.best, sweep.curves, page.sweep->open_ends, is_flat));
+  page.parts.push_back(present_cell(results, rows, cell_text(rows, least), is_flat));
   page.parts.push_back(present_picture(results.measurement->layers));
   page.viewer = sweep.images;
 }

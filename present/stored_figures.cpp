@@ -64,7 +64,8 @@ std::vector<Figure> stored_figures(const std::filesystem::path& folder, const St
     const FinishedSweep sweep(folder);
     const SweepResults rows = sweep.rows();
     const std::optional<BiasCurves> curves = results ? results->sweep->curves : read_bias_curves(rows);
-    std::ranges::move(present_sweep(rows, best_rows(rows), curves, {}).figures, std::back_inserter(all.figures));
+    std::ranges::move(present_sweep(rows, best_rows(rows), curves, {}, are_all_equal(rows)).figures,
+                      std::back_inserter(all.figures));
   }
   return std::move(all.figures);
 }

@@ -234,10 +234,12 @@ std::string equal_cells_text(const SweepResults& sweep, const std::string& error
 
 // With a dash for each value that the cell does not read.
 Table best_as_read(const SweepResults& sweep, Table best) {
+  std::vector<std::size_t> axes(sweep.plan.axes.size());
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
   for (std::vector<Value>& row : best.rows) {
-    const std::vector<Value> values = row;
-    for (std::size_t a = 0; a < sweep.plan.axes.size(); ++a) {
-      if (read_axes(sweep, values, {a}).empty()) row[a] = std::string("—");
+    const std::vector<std::size_t> read = read_axes(sweep, row, axes);
+    for (const std::size_t a : axes) {
+      if (std::ranges::find(read, a) == read.end()) row[a] = std::string("—");
     }
   }
   return best;
@@ -291,7 +293,7 @@ std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best) {
 }
 
 Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves,
-                           const std::vector<OpenEnd>& open_ends) {
+                           const std::vector<OpenEnd>& open_ends, bool is_flat) {
   Presentation presentation;
   const std::size_t axes = sweep.plan.axes.size();
   ReportSection& section = presentation.section;
@@ -306,7 +308,6 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     return presentation;
   }
   const bool is_ao = sweep.quantity() == SweptQuantity::ao;
-  const bool is_flat = are_all_equal(sweep);
   if (is_flat) presentation.answers.push_back(equal_cells_text(sweep, error));
   const char* headline = open_ends.empty() ? "least mean absolute error" : "least mean absolute error tested";
   section.headlines = {{headline, error, cell_text(sweep, least)},

@@ -29,7 +29,8 @@ bool are_all_equal(const SweepResults& sweep);
 /// The axes whose optimum lies at an end of theirs, of the rows of best_rows().
 std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best);
 
+/// `is_flat` is are_all_equal(), which reads every cell.
 Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves,
-                           const std::vector<OpenEnd>& open_ends);
+                           const std::vector<OpenEnd>& open_ends, bool is_flat);
 
 }  // namespace umbrameter

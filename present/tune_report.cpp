@@ -143,7 +143,8 @@ std::string bias_range_text(const TuneSummary& summary) {
   if (!is_free) which.emplace_back("only biases that keep the constraints");
   std::string text = fmt::format("constant-bias{}: ", which.empty() ? "" : " (" + joined(which, "; ") + ")") +
                      range_text(plateau, axis->axis.length_unit, is_free ? "cost on the axis" : "cost of these",
-                                cost_text(summary.goal, plateau.least.mae), only_of_axis, {}, tolerance_text(summary));
+                                cost_text(summary.goal, plateau.least.mae), only_of_axis, {},
+                                plateau.is_by_pixels && !is_single ? tolerance_text(summary) : "");
   const std::string ends = ends_text(*axis, {plateau.first.constant, plateau.last.constant});
   if (!ends.empty()) text += "; the range reaches the " + ends;
   if (!plateau.has_little_acne()) {
@@ -370,9 +371,8 @@ Presentation present_tuning(const TuneSummary& summary) {
   section.text =
       method_text(summary) +
       "\n\n95 % intervals (± or a range) cover the choice of pixels and the noise of the reference: each of up to 64 "
-      "blocks of the image is left "
-      "out in turn (jackknife). Differences are paired: both points lose the same block. The point to use is "
-      "checked on the held-out cases, if there are any.";
+      "blocks of the image is left out in turn (jackknife). Differences are paired: both points lose the same block. "
+      "The point to use is checked on the held-out cases, if there are any.";
   if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
     const std::vector<std::string> lines = lines_of(compared);
     shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());

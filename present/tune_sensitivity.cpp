@@ -119,7 +119,9 @@ Table sensitivity_table(const TuneSummary& summary) {
        {"best", "", "value of least cost"},
        {"within " + tolerance_text(summary), "",
         "range around it in which the cost is at most so much higher" +
-            std::string(summary.result.limit.is_by_pixels ? " (3 of all counted pixels, which is more than 5 %)" : "") +
+            (summary.result.limit.is_by_pixels
+                 ? fmt::format(" ({} of all counted pixels, which is more than 5 %)", chance_pixels)
+                 : std::string()) +
             ": of a constant bias from its whole curve where that was measured, else of the measured values, of which "
             "the nearest outside are named; values that break a constraint are outside"},
        {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "present/plateau_text.h"
 #include "present/presentation.h"
@@ -76,11 +75,10 @@ std::string difference_text(const TuneGoal& goal, double value, const std::optio
 std::string value_text(const TuneAxis& axis, const Value& value, int digits) {
   const auto* number = std::get_if<double>(&value);
   // The tuned file has all digits; values that differ in the fourth cost the same.
-  // Of two equally near numbers the larger, as length_text() does.
-  std::string text = number != nullptr
-                         ? with_minus(fmt::format("{:.{}g}", *number * (1.0 + std::numeric_limits<double>::epsilon()),
-                                                  std::abs(*number) < 100.0 ? digits : digits + 2))
-                         : to_string(value);
+  std::string text =
+      number != nullptr
+          ? with_minus(fmt::format("{:.{}g}", halves_up(*number), std::abs(*number) < 100.0 ? digits : digits + 2))
+          : to_string(value);
   // A length in another unit than the axis's.
   if (std::holds_alternative<std::string>(value) && !axis.is_word()) {
     if (const std::optional<Length> length = parse_length(text)) return length_text(*length);

@@ -9,9 +9,6 @@
 namespace umbrameter {
 namespace {
 
-// Of two equally near numbers with fewer digits the larger, as the page's script rounds.
-double halves_up(double number) { return number * (1.0 + std::numeric_limits<double>::epsilon()); }
-
 std::string rounded(double number, int decimals) {
   return with_minus(fmt::format("{:.{}f}", halves_up(number), decimals));
 }
@@ -31,6 +28,8 @@ bool is_symmetric(const Estimate& estimate) {
 }
 
 }  // namespace
+
+double halves_up(double number) { return number * (1.0 + std::numeric_limits<double>::epsilon()); }
 
 int decimals_of(double number, int digits) {
   if (number == 0.0 || !std::isfinite(number)) return 0;

@@ -13,6 +13,9 @@ namespace umbrameter {
 /// Decimals with which a number shows that many significant digits; 0 for the number 0.
 int decimals_of(double number, int digits);
 
+/// The number, so that printing with fewer digits gives the larger of two equally near ones, as the page's script does.
+double halves_up(double number);
+
 /// A depth from 0 to 1, to three significant digits however small: "6.57e-05".
 std::string depth_text(double depth);
 

@@ -14,12 +14,17 @@ TunePoint point(double radius, double cost) {
   return each;
 }
 
-TEST(TuneSensitivity, A_point_beside_the_search_that_is_better_than_its_best_one_is_named) {
+TuneSummary summary_of(const char* key, const char* range, const char* kind, const TunePoint& best) {
   Experiment experiment;
   TuneSummary summary;
-  summary.axes = {parse_tune_axis(describe(experiment), "ao.radius", "0.1:2:log")};
-  summary.goal = make_goal("mae", {}, "ao", summary.axes, false);
-  summary.result.best = point(1.0, 0.05);
+  summary.axes = {parse_tune_axis(describe(experiment), key, range)};
+  summary.goal = make_goal("mae", {}, kind, summary.axes, false);
+  summary.result.best = best;
+  return summary;
+}
+
+TEST(TuneSensitivity, A_point_beside_the_search_that_is_better_than_its_best_one_is_named) {
+  TuneSummary summary = summary_of("ao.radius", "0.1:2:log", "ao", point(1.0, 0.05));
   summary.result.scans = {{0, {point(0.5, 0.07), point(1.0, 0.05), point(1.5, 0.06)}}};
   EXPECT_TRUE(missed_points(summary).empty());
   summary.result.scans[0].points.push_back(point(1.75, 0.04));
@@ -29,11 +34,7 @@ TEST(TuneSensitivity, A_point_beside_the_search_that_is_better_than_its_best_one
 
 // Three of 1,000 counted pixels are 0.3 %, whatever case they are of.
 TEST(TuneSensitivity, A_range_by_pixels_is_a_share_of_them_where_several_cases_are_averaged) {
-  Experiment experiment;
-  TuneSummary summary;
-  summary.axes = {parse_tune_axis(describe(experiment), "shadow.slope-bias", "0:4")};
-  summary.goal = make_goal("mae", {}, "shadow", summary.axes, false);
-  summary.result.best = point(2.0, 0.001);
+  TuneSummary summary = summary_of("shadow.slope-bias", "0:4", "shadow", point(2.0, 0.001));
   summary.result.limit = limit_of_plateau(0.001, 1000);
   summary.result.scans = {{0, {point(0.0, 0.1), point(2.0, 0.001), point(4.0, 0.0035)}}};
   summary.cases = {"sun"};
