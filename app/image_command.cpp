@@ -74,11 +74,17 @@ void require_measured(const Experiment& experiment, const std::vector<BudgetEntr
         require_statistic(parse_statistic_name(condition.statistic), condition.place);
     const bool is_measured = std::ranges::any_of(
         known, [&](const KnownStatistic& each) { return each.kind == (shadows ? "shadow" : "ao"); });
-    require(true, is_measured, condition.place, shadows ? "ambient occlusion" : "shadows");
+    const bool is_of_image =
+        std::ranges::all_of(known, [](const KnownStatistic& each) { return each.kind == "image"; });
+    require(true, is_measured, condition.place,
+            is_of_image ? "the shaded image"
+            : shadows   ? "ambient occlusion"
+                        : "shadows");
   }
 }
 
-// Which statistics a shadow has is known before it is measured: a soft and a filtered one have no causes.
+// Which statistics a shadow has is known before it is measured: against a sampled reference none has causes, and
+// filtered maps never have.
 void require_in_shadows(const Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights,
                         const std::vector<BudgetEntry>& conditions) {
   std::set<std::string> measured;
@@ -95,9 +101,14 @@ void require_in_shadows(const Stages& stages, const Experiment& experiment, cons
     const bool is_of_shadows =
         std::ranges::all_of(known, [](const KnownStatistic& each) { return each.kind == "shadow"; });
     if (!is_of_shadows || measured.contains(known.front().name)) continue;
-    throw Error(ExitCode::usage, condition.place,
-                "no shadow of this run has this statistic; soft and filtered ones have no causes",
-                "choose one of: " + joined(measured, ", "));
+    const bool is_cause = std::ranges::find(cause_names, known.front().name) != cause_names.end();
+    throw Error(
+        ExitCode::usage, condition.place,
+        std::string("no shadow of this run has this statistic") +
+            (is_cause ? "; it needs a technique whose acne can be counted, and a hard reference: a light without "
+                        "extent, and --truth.shadow point"
+                      : ""),
+        "choose one of: " + joined(measured, ", "));
   }
 }
 
@@ -164,7 +175,7 @@ void add_setting_notes(Stages& stages, const CommandLine& line, const Experiment
       others += (others.empty() ? "" : ", ") + stages.title(light);
     }
     if (!others.empty()) {
-      text += fmt::format("; it is meant for {} lights and is used for {}, too: leave others out by --light",
+      text += fmt::format("; it is meant for {} lights, but is used for {}, too: choose the light with --light",
                           preset.kind, others);
     }
     stages.add_notes({text});

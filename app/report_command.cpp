@@ -152,6 +152,7 @@ std::string note_of(const Table& table, const std::string& of_star) {
 }
 
 void write_latex(const fs::path& folder, const std::vector<PartTables>& parts) {
+  fs::create_directories(folder / "figures");
   for (const PartTables& part : parts) {
     write_text(folder / "figures" / (part.stem + ".tex"),
                to_latex(part.printed_values, note_of(part.printed_values, rays_only_note)));
@@ -201,7 +202,7 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     section.text = table.rows.empty() ? "All parameters are equal; the page of each run lists them under 'Settings'."
                                       : "All others are equal; the page of each run lists them under 'Settings'.";
     if (is_bias_another_length(runs)) {
-      section.text += " The texels differ in size, so that one bias in texels is another length in each run.";
+      section.text += " The texels differ in size, so that one bias in texels can be another length in another run.";
     }
     if (!table.rows.empty()) section.tables.push_back({"Parameters that differ", table});
     report.sections.push_back(std::move(section));

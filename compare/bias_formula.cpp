@@ -102,6 +102,38 @@ std::vector<FormulaPoint> independent_points(std::span<const FormulaPoint> point
   return independent;
 }
 
+// What is fitted, before it is.
+struct Prepared {
+  BiasFormula formula;               // without its terms
+  std::vector<FormulaPoint> points;  // those whose facts are known
+  std::vector<FormulaTerm> terms;    // that they determine
+  std::vector<FormulaPoint> fitted;  // the independent ones
+};
+
+Prepared prepare(std::span<const FormulaPoint> all) {
+  Prepared prepared;
+  const auto has_radius = [](const FormulaPoint& point) { return std::isfinite(point.facts.radius); };
+  const bool needs_radius = std::ranges::any_of(all, has_radius);
+  std::vector<FormulaPoint>& points = prepared.points;
+  for (const FormulaPoint& point : all) {
+    if (std::isfinite(point.facts.depth_per_texel) && (!needs_radius || has_radius(point))) points.push_back(point);
+  }
+  BiasFormula& formula = prepared.formula;
+  formula.points = points.size();
+  formula.axis_step = median_step(points);
+  formula.texel = range_of(points, texel_of);
+  formula.depth_per_texel = range_of(points, depth_per_texel_of);
+  formula.slope = range_of(points, slope_of);
+  formula.radius = range_of(points, radius_of);
+  formula.depth_step = range_of(points, depth_step_of);
+  prepared.terms = choose_terms(formula);
+  prepared.fitted = independent_points(points, prepared.terms);
+  formula.independent = prepared.fitted.size();
+  return prepared;
+}
+
+std::size_t needed_points(const Prepared& prepared) { return std::max<std::size_t>(prepared.terms.size(), 2) + 1; }
+
 bool is_within(const FormulaRange& range, double value) {
   const double margin = BiasFacts::tolerance * std::max(std::abs(range.min), std::abs(range.max));
   return value >= range.min - margin && value <= range.max + margin;
@@ -124,26 +156,19 @@ bool is_outside(const BiasFormula& formula, const FormulaPoint& point) {
          (formula.term(FormulaTerm::depth_step) && !is_within(formula.depth_step, point.facts.depth_step));
 }
 
+FormulaSupport support_of(std::span<const FormulaPoint> points) {
+  const Prepared prepared = prepare(points);
+  return {prepared.fitted.size(), needed_points(prepared)};
+}
+
 std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all, AxisRounding rounding) {
-  const auto has_radius = [](const FormulaPoint& point) { return std::isfinite(point.facts.radius); };
-  const bool needs_radius = std::ranges::any_of(all, has_radius);
-  std::vector<FormulaPoint> points;
-  for (const FormulaPoint& point : all) {
-    if (std::isfinite(point.facts.depth_per_texel) && (!needs_radius || has_radius(point))) points.push_back(point);
-  }
-  BiasFormula formula;
-  formula.points = points.size();
-  formula.axis_step = median_step(points);
-  formula.texel = range_of(points, texel_of);
-  formula.depth_per_texel = range_of(points, depth_per_texel_of);
-  formula.slope = range_of(points, slope_of);
-  formula.radius = range_of(points, radius_of);
-  formula.depth_step = range_of(points, depth_step_of);
-  const std::vector<FormulaTerm> terms = choose_terms(formula);
+  Prepared prepared = prepare(all);
+  if (prepared.fitted.size() < needed_points(prepared) || prepared.terms.size() < 2) return std::nullopt;
+  const std::vector<FormulaPoint>& points = prepared.points;
+  const std::vector<FormulaTerm>& terms = prepared.terms;
+  const std::vector<FormulaPoint>& fitted = prepared.fitted;
   const std::size_t count = terms.size();
-  const std::vector<FormulaPoint> fitted = independent_points(points, terms);
-  formula.independent = fitted.size();
-  if (count < 2 || fitted.size() <= count) return std::nullopt;
+  BiasFormula& formula = prepared.formula;
   std::vector<LeastSquaresRow> rows;
   std::vector<double> right;
   for (const FormulaPoint& point : fitted) {

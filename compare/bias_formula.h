@@ -69,6 +69,13 @@ bool is_outside(const BiasFormula& formula, const FormulaPoint& point);
 /// linear in it.
 inline constexpr std::size_t min_formula_values = 2;
 
+/// How many independent points there are, and how many fit_formula() needs at least.
+struct FormulaSupport {
+  std::size_t independent = 0;
+  std::size_t needed = 0;
+};
+FormulaSupport support_of(std::span<const FormulaPoint> points);
+
 /// How the axis rounds a bias: to the nearest of its values, or up to the next.
 enum class AxisRounding { nearest, up };
 

@@ -163,13 +163,17 @@ SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom) {
   statistics.mean_error = around(total.error * scale);
   statistics.mae = around(total.absolute * scale);
   statistics.mae_noise = total.absolute_bias * scale;
-  statistics.mae.lower = std::max(statistics.mae.lower - statistics.mae_noise, 0.0);
-  const auto part = [&](double sum, const PartSums& sums) {
+  // A mean of one sign is at most the mean absolute error, and noise does not raise it.
+  const double too_bright_at_least = std::max(statistics.mean_error.lower, 0.0);
+  const double too_dark_at_least = std::max(-statistics.mean_error.upper, 0.0);
+  statistics.mae.lower =
+      std::max({statistics.mae.lower - statistics.mae_noise, too_bright_at_least, too_dark_at_least});
+  const auto part = [&](double sum, const PartSums& sums, double at_least) {
     const Estimate estimate = estimate_part(sum, sums, degrees_of_freedom, unseen);
-    return Estimate{estimate.value * scale, estimate.lower * scale, estimate.upper * scale};
+    return Estimate{estimate.value * scale, std::max(estimate.lower * scale, at_least), estimate.upper * scale};
   };
-  statistics.too_dark = part(0.5 * (total.absolute - total.error), total.too_dark);
-  statistics.too_bright = part(0.5 * (total.absolute + total.error), total.too_bright);
+  statistics.too_dark = part(0.5 * (total.absolute - total.error), total.too_dark, too_dark_at_least);
+  statistics.too_bright = part(0.5 * (total.absolute + total.error), total.too_bright, too_bright_at_least);
   statistics.mean_standard_error = total.scatter * scale;
   const double mean_square = (total.squared - total.variance) * scale;
   const double square_half_width = quantile * std::sqrt(variance_of_squares(total, degrees_of_freedom)) * scale;

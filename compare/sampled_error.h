@@ -23,7 +23,9 @@ struct SampledError {
   double mean_raster = 0.0;
   Estimate mean_truth;
   Estimate mean_error;  ///< raster − truth: below 0 too dark, above 0 too bright
-  Estimate mae;  ///< mean |raster − truth|; noise of the truth can only raise it; the lower bound allows for it
+  /// Mean |raster − truth|. Noise of the truth can only raise it; the lower bound allows for it, but is not below the
+  /// size that mean_error has at least.
+  Estimate mae;
   /// The most that noise of the truth may have added to mae, but for chance; to too_dark and too_bright half as much.
   double mae_noise = 0.0;
   Estimate rmse;  ///< corrected for the variance of the truth

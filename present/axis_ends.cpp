@@ -111,9 +111,10 @@ std::vector<std::string> to_lines(const std::vector<OpenEnd>& ends) {
     const std::string where = !has_setting ? ""
                               : count == 1 ? " for " + first.setting
                                            : fmt::format(" for {} combinations, one of them {}", count, first.setting);
-    lines.push_back(fmt::format("{}: the least error is at the {} end of the axis ({}){}; extend it", first.axis,
-                                first.end == AxisEnd::upper ? "upper" : "lower",
-                                with_unit(fmt::format("{:.6g}", first.value), first.unit), where));
+    lines.push_back(fmt::format(
+        "{}: the least error is at the {} end of the axis ({}){}; extend it, or add values next to this end",
+        first.axis, first.end == AxisEnd::upper ? "upper" : "lower",
+        with_unit(fmt::format("{:.6g}", first.value), first.unit), where));
   }
   return lines;
 }

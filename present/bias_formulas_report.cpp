@@ -299,21 +299,26 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   if (curves.formulas.empty()) return;
   ReportSection& section = presentation.section;
   if (std::ranges::none_of(curves.formulas, [](const CurveFormula& of) { return of.formula.has_value(); })) {
-    std::string counts;
-    for (std::size_t f = 0; f < formula_names.size(); ++f) {
-      std::size_t usable = 0;
-      for (const CurveFormula& of : curves.formulas)
-        if (of.of == static_cast<FormulaOf>(f)) usable = std::max(usable, of.points.size());
-      counts += fmt::format("{}{} of {}", counts.empty() ? "" : ", ", usable, formula_names[f]);
+    std::array<std::size_t, formula_names.size()> most{};
+    std::size_t needed = 0;
+    for (const CurveFormula& of : curves.formulas) {
+      const FormulaSupport support = support_of(of.points);
+      std::size_t& independent = most[static_cast<std::size_t>(of.of)];
+      independent = std::max(independent, support.independent);
+      needed = std::max(needed, support.needed);
     }
+    std::string counts;
+    for (std::size_t f = 0; f < formula_names.size(); ++f)
+      counts += fmt::format("{}{} for {}", counts.empty() ? "" : ", ", most[f], formula_names[f]);
+    const bool is_off_axis = std::ranges::any_of(
+        curves.formulas, [](const CurveFormula& of) { return of.points.size() + of.left_out >= 3 && of.left_out > 0; });
     const std::string text = fmt::format(
-        "no formula for the bias over {}: each needs three biases of different combinations, but there are only {}; in "
-        "the other combinations there is none on the axis, or it may lie beyond its end",
-        names_of(curves.formula_axes), counts);
-    const bool has_enough = std::ranges::any_of(
-        curves.formulas, [](const CurveFormula& of) { return of.points.size() + of.left_out >= 3; });
+        "no formula for the bias over {}: too few combinations that differ in texel size, Δz, filter radius or depth "
+        "step have a bias on the axis; of {} needed there are {}{}",
+        names_of(curves.formula_axes), needed, counts,
+        is_off_axis ? "; others have none there, or theirs may lie beyond its end" : "");
     section.text += fmt::format("\n\nThere is {}. {}.", text,
-                                has_enough ? "Extend the axis of the bias" : "Vary more values of these parameters");
+                                is_off_axis ? "Extend the axis of the bias" : "Vary more values of these parameters");
     presentation.lines.push_back(text);
     return;
   }

@@ -182,7 +182,7 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
     const auto line = std::ranges::find(curve.optima.lines, recommended.slope, &BiasLine::slope);
     const std::optional<BiasCell>& little = line->little_acne;
     text += "; " + acne_left_text(percent(recommended.acne), little,
-                                  little ? constant_text(curves, curve, *little) : "", "swept bias");
+                                  little ? constant_text(curves, curve, *little) : "", true);
   }
   if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";
   return text;

@@ -36,21 +36,25 @@ const std::string note_mark = "    note: ";
 std::string engine_error_text(const EngineAdvice& advice) {
   const auto acne_of = [](const BiasCell& cell) { return ", acne " + percent(cell.acne); };
   std::string usual;
+  bool keeps_default = false;
   if (advice.by_default) {
     const BiasCell& usually = *advice.by_default;
     const std::string error = percent(usually.mae);
     const bool is_less =
         advice.measured && usually.mae < advice.measured->mae && error != percent(advice.measured->mae);
-    const bool is_better = is_less && usually.acne <= std::max(advice.measured->acne, little_acne_share);
-    usual = fmt::format("; {} {}{}",
-                        is_better ? "keep its default numbers, which have error"
-                        : is_less ? "its default numbers have less error,"
-                                  : "with its default numbers error",
+    keeps_default = is_less && usually.acne <= std::max(advice.measured->acne, little_acne_share);
+    usual = fmt::format("{} {}{}",
+                        keeps_default ? "keep its default numbers: error"
+                        : is_less     ? "its default numbers have less error,"
+                                      : "with its default numbers error",
                         error, acne_of(usually));
   }
-  if (!is_complete(advice.target)) return no_number_text(advice) + usual;
-  if (!advice.measured) return "error not measured: " + advice.why_not_measured + usual;
-  return fmt::format("error {}{}{}", percent(advice.measured->mae), acne_of(*advice.measured), usual);
+  const std::string after = usual.empty() ? "" : "; " + usual;
+  if (!is_complete(advice.target)) return no_number_text(advice) + after;
+  if (!advice.measured) return "error not measured: " + advice.why_not_measured + after;
+  const std::string set = fmt::format("with the numbers below, rounded up, error {}{}", percent(advice.measured->mae),
+                                      acne_of(*advice.measured));
+  return keeps_default ? usual + "; " + set : set + after;
 }
 
 // Lines of the engine's code, or the number in a unit. None where a part of the bias is left out: zeros would look like
@@ -75,9 +79,10 @@ std::string own_drawing_text(const EngineAdvice& advice) {
   std::vector<std::string> parts;
   if (advice.is_in_metres) parts.emplace_back("takes the bias as one length for all distances");
   if (advice.own_faces) {
-    parts.push_back(fmt::format("casts {}", *advice.own_faces == CasterFaces::all    ? "front and back faces"
-                                            : *advice.own_faces == CasterFaces::back ? "back faces"
-                                                                                     : "front faces"));
+    parts.push_back(fmt::format("casts {}", *advice.own_faces == CasterFaces::all ? "front and back faces"
+                                            : *advice.own_faces == CasterFaces::back
+                                                ? "back faces of single-sided surfaces"
+                                                : "front faces of single-sided surfaces"));
   }
   if (advice.has_own_offset) {
     parts.push_back(
@@ -133,12 +138,11 @@ std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, 
                                       const std::string& bias) {
   std::vector<std::string> lines;
   for (const EngineAdvice& each : engines) {
-    const char* rounded = is_complete(each.target) ? ", rounded up" : "";
     const bool has_that_bias =
         has_number(*each.target.spec.engine, BiasTerm::constant) && own_drawing_text(each).empty();
     const bool names_bias = !bias.empty() && has_that_bias;
-    lines.push_back(fmt::format("  {}{} in {}{}: {}", what, names_bias ? fmt::format(", {},", bias) : "",
-                                title_of(each.target.spec), rounded, engine_error_text(each)));
+    lines.push_back(fmt::format("  {}{} in {}: {}", what, names_bias ? fmt::format(", {},", bias) : "",
+                                title_of(each.target.spec), engine_error_text(each)));
     for (const std::string& code : shown_numbers(each, true)) lines.push_back("    " + code);
     for (const std::string& note : notes_of_advice(each)) lines.push_back(note_mark + note);
   }

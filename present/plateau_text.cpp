@@ -63,11 +63,11 @@ const char* reason_text(const BiasPlateau& plateau, bool is_for_acne) {
 }
 
 std::string acne_left_text(const std::string& acne, const std::optional<BiasCell>& little,
-                           const std::string& little_text, const char* biases) {
-  return fmt::format(
-      "acne {}, and {}", acne,
-      little ? fmt::format("at most 0.1 % only from {} on, where the error is {}", little_text, percent(little->mae))
-             : fmt::format("more than 0.1 % at every {}", biases));
+                           const std::string& little_text, bool is_swept) {
+  return fmt::format("acne {}, and {}", acne,
+                     little ? fmt::format("at most 0.1 % only from {}{} on, where the error is {}",
+                                          is_swept ? "the swept bias " : "", little_text, percent(little->mae))
+                            : fmt::format("more than 0.1 % at every {}", is_swept ? "swept bias" : "bias"));
 }
 
 std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {

@@ -33,9 +33,9 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
 const char* reason_text(const BiasPlateau& plateau, bool is_for_acne = false);
 
 /// "acne 0.256 %, and at most 0.1 % only from 2.5 texels on, where the error is 2.29 %": of a bias with more. `little`
-/// is the smallest bias with so little acne, `little_text` its text; `biases` are those of which none may have.
+/// is the smallest bias with so little acne, of the swept ones or of all, and `little_text` its text.
 std::string acne_left_text(const std::string& acne, const std::optional<BiasCell>& little,
-                           const std::string& little_text, const char* biases = "bias");
+                           const std::string& little_text, bool is_swept = false);
 
 /// Why no bias is recommended and what to do: "no counted pixel is in shadow, so a large bias costs nothing;
 /// --scene.ground adds a floor".

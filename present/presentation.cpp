@@ -13,6 +13,7 @@
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
 #include "results/layers.h"
+#include "techniques/shadow/read_parameters.h"
 
 namespace umbrameter {
 namespace {
@@ -54,6 +55,35 @@ constexpr const char* picture_stem = "picture";
 std::string technique_name(const Experiment& experiment) {
   const bool is_combined = std::holds_alternative<ContactShadows>(make_technique(experiment.shadow));
   return value_text(experiment, "shadow.technique") + (is_combined ? " with contact shadows" : "");
+}
+
+bool reads_map(Experiment experiment) { return find(read_parameters(experiment.shadow), constant_bias_key) != nullptr; }
+
+bool reads_one_texel(const Experiment& experiment) {
+  return experiment.shadow.technique == ShadowTechniques::choice<Pcf> &&
+         experiment.shadow.pcf.filter == ShadowFilter::nearest;
+}
+
+EdgeReasons edge_reasons(const Experiment& experiment) {
+  if (!reads_map(experiment)) {
+    return {"surfaces that block themselves", "surfaces thinner than assumed",
+            "surfaces thicker than assumed, or between two steps", "casters farther than the ray is long, or unseen"};
+  }
+  // With contact shadows, whose error has no causes.
+  if (reads_one_texel(experiment)) {
+    return {"like acne", "coarse texels, acne, and surfaces thinner than assumed", "coarse texels and lost contact",
+            "a large bias"};
+  }
+  return {"like acne", "blur and occluders in the kernel", "blur and lost contact",
+          "light bleeding, a large bias, or a wide blur"};
+}
+
+std::string edge_band_text(const Experiment& experiment) {
+  std::string text = fmt::format("at most {:g} texels", edge_band_texels);
+  if (!reads_map(experiment)) {
+    text += fmt::format(" of a {}² map", experiment.shadow.map.resolution);
+  }
+  return text;
 }
 
 std::string value_text(Experiment experiment, std::string_view key) {

@@ -72,7 +72,7 @@ bool measures_edges(const std::string& names);
 
 /// Of a sweep or tuning over the reach of the filter, with one bias.
 inline constexpr const char* one_bias_warning =
-    "each filter needs its own bias, but all have the same one: vary shadow.constant-bias, too";
+    "each filter needs its own bias, but all have the same constant bias: vary shadow.constant-bias, too";
 
 /// Of a sweep over lights, cameras or scenes.
 inline constexpr const char* pixels_warning =

@@ -24,6 +24,25 @@ namespace umbrameter {
 /// The value of the parameter with this full name.
 std::string value_text(Experiment experiment, std::string_view key);
 
+/// Whether the result is that of a shadow map, and so depends on its bias; screen-space shadows alone need none.
+bool reads_map(Experiment experiment);
+
+/// Whether it is read without a filter.
+bool reads_one_texel(const Experiment& experiment);
+
+/// The usual reasons of an error that is split by sign and by distance from the edges.
+struct EdgeReasons {
+  const char* too_dark_away;
+  const char* too_dark_at_edge;
+  const char* too_bright_at_edge;
+  const char* too_bright_away;
+};
+EdgeReasons edge_reasons(const Experiment& experiment);
+
+/// How far the band about a shadow edge reaches: "at most 2 texels", "at most 2 texels of a 1024² map" where the
+/// technique reads none.
+std::string edge_band_text(const Experiment& experiment);
+
 /// The shadow technique: "vsm", "pcf with contact shadows".
 std::string technique_name(const Experiment& experiment);
 

@@ -267,8 +267,8 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
   }
   if (shows_noise) {
     answers.emplace_back(
-        "a range (… to …) also holds the error without the noise of its sampled reference, which can only raise it; "
-        "more rays (--truth.spp) shorten it");
+        "the noise of a sampled reference can only raise an error: an interval 'A to B' is longer at its lower end, so "
+        "that the error without noise is in it, too; more rays (--truth.spp) shorten it");
   }
   for (const StoredRun& run : runs) {
     const auto of_ao = [&](std::string_view name) {

@@ -12,7 +12,6 @@
 #include "reports/files/text_layout.h"
 #include "techniques/shadow/map_fit.h"
 #include "techniques/shadow/pcf.h"
-#include "techniques/shadow/read_parameters.h"
 
 namespace umbrameter {
 namespace {
@@ -61,9 +60,6 @@ void add_error_figure(Presentation& presentation, const SceneFacts& scene, const
   add_layer_figure(presentation, layers, Layer::error_visibility, scene.layer(shadow.light),
                    "Error: " + scene.title(shadow.light), error_caption);
 }
-
-// Whether the result is that of a shadow map, and so depends on its bias; screen-space shadows alone need none.
-bool reads_map(Experiment experiment) { return find(read_parameters(experiment.shadow), constant_bias_key) != nullptr; }
 
 // Not of another renderer.
 bool is_our_map(const Experiment& experiment) { return renderer_title(experiment).empty() && reads_map(experiment); }
@@ -125,31 +121,29 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
   add_error_figure(presentation, scene, layers, shadow);
   section.text += fmt::format(
       "\n\nThe result of {} is no sum of depth comparisons, so no single tap is right or wrong and the error has no "
-      "causes. It is split by sign and by distance to the reference's shadow edges instead; at an edge means at "
-      "most {:g} texels from it, or in a pixel beside it.",
-      technique_name(shadow.experiment), edge_band_texels);
+      "causes. It is split by sign and by distance to the reference's shadow edges instead; at an edge means {} "
+      "from it, or in a pixel beside it.",
+      technique_name(shadow.experiment), edge_band_text(shadow.experiment));
   if (s.max_x >= 0) {
     section.text +=
         fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.max_error), s.max_x, s.max_y);
   }
-  const bool of_map = reads_map(shadow.experiment);
+  const EdgeReasons reasons = edge_reasons(shadow.experiment);
   section.headlines = {
       {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", grouped(s.pixels))},
-      {"too dark away from edges", percent(s.too_dark_away), of_map ? "like acne" : "surfaces that block themselves"},
-      {"too dark at edges", percent(s.too_dark_at_edge),
-       of_map ? "blur and occluders in the kernel" : "surfaces thinner than assumed"},
-      {"too bright at edges", percent(s.too_bright_at_edge),
-       of_map ? "blur and lost contact" : "surfaces thicker than assumed, or between two steps"},
-      {"too bright away from edges", percent(s.too_bright_away),
-       of_map ? "light bleeding, a large bias, or a wide blur" : "casters farther than the ray is long, or unseen"},
+      {"too dark away from edges", percent(s.too_dark_away), reasons.too_dark_away},
+      {"too dark at edges", percent(s.too_dark_at_edge), reasons.too_dark_at_edge},
+      {"too bright at edges", percent(s.too_bright_at_edge), reasons.too_bright_at_edge},
+      {"too bright away from edges", percent(s.too_bright_away), reasons.too_bright_away},
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
-  if (of_map) section.text += "\n\n" + std::string(filter_caution);
+  if (reads_map(shadow.experiment) && !reads_one_texel(shadow.experiment))
+    section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{}; at shadow edges (at most {:g} texels away or in a pixel beside one) too dark {} and too bright "
-      "{}, elsewhere too dark {} and too bright {}{}",
-      title, percent(s.mae), few_pixels_text(s.pixels), edge_band_texels, percent(s.too_dark_at_edge),
+      "{}: error {}{}; at shadow edges ({} away or in a pixel beside one) too dark {} and too bright {}, elsewhere too "
+      "dark {} and too bright {}{}",
+      title, percent(s.mae), few_pixels_text(s.pixels), edge_band_text(shadow.experiment), percent(s.too_dark_at_edge),
       percent(s.too_bright_at_edge), percent(s.too_dark_away), percent(s.too_bright_away), no_advice_text(shadow)));
 }
 
@@ -160,6 +154,7 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   add_error_figure(presentation, scene, layers, shadow);
   const bool is_over_pixel = shadow.experiment.truth.shadow == ShadowReference::pixel;
   const std::string extent = extent_text(shadow.emitter);
+  const char* const half_lit = extent.empty() ? "partly lit" : "penumbra";
   section.text += is_over_pixel ? fmt::format("\n\nThe reference is the mean over each pixel{} (truth.shadow pixel)",
                                               extent.empty() ? "" : " and over the light")
                                 : "\n\nThis is an area light. Its reference is the visible share of the light";
@@ -182,17 +177,17 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       {"too dark", percent(s.error.too_dark), "part where the technique is darker than the reference"},
       {"too bright", percent(s.error.too_bright), "part where the technique is brighter than the reference"},
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
-      {"penumbra", percent(s.penumbra), "mean of 4V(1 − V) over the counted pixels, V the reference"},
+      {half_lit, percent(s.penumbra), "mean of 4V(1 − V) over the counted pixels, V the reference"},
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   const std::string soft = fmt::format("its soft shadow ({})", extent);
   const std::string of_pixel = "the mean over each pixel" + (extent.empty() ? "" : " of " + soft);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V), V the visibility of the "
+      "{}: error {}{} against {}; too dark {}, too bright {}; {} {} (mean of 4V(1 − V), V the visibility of the "
       "reference){}",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels), is_over_pixel ? of_pixel : soft,
-      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra), no_advice_text(shadow)));
+      percent(s.error.too_dark), percent(s.error.too_bright), half_lit, percent(s.penumbra), no_advice_text(shadow)));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {
@@ -363,7 +358,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   if (!renderer.empty()) {
     section.text += "\n\nOnly an image is known (" + renderer + "), not its taps. Causes: " + shadow.cause_source +
                     ". " + std::string(shadow.cause_source == "rays" ? causes_by_rays_text : causes_by_flips_text);
-  } else if (experiment.shadow.pcf.filter != ShadowFilter::nearest) {
+  } else if (!reads_one_texel(experiment)) {
     section.text += "\n\n" + std::string(filter_caution);
   }
   if (s.max_x >= 0) {

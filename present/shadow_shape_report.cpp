@@ -53,7 +53,7 @@ Table distance_table(const ErrorShape& shape) {
   return table;
 }
 
-std::string edges_text(const ErrorShape& shape) {
+std::string edges_text(const ErrorShape& shape, bool has_extent) {
   std::string text = fmt::format(
       "\n\nThe hard shadow of the light's centre has {} edges: pairs of adjacent pixels on one surface, one lit and "
       "one "
@@ -61,10 +61,12 @@ std::string edges_text(const ErrorShape& shape) {
       grouped(shape.edges));
   if (shape.outside_penumbra) {
     text += fmt::format(
-        " {} of the error counts as outside the penumbra. Where the reference is V, from 0 (blocked) to 1 (lit), "
-        "4V(1 − V) of a pixel's error counts as inside: all of it at ½, none at 0 and 1. If all pixels of an even "
-        "penumbra had the same error, a third of it would count as outside.",
-        percent(*shape.outside_penumbra));
+        " {} of the error counts as outside the {}. Where the reference is V, from 0 (blocked) to 1 (lit), "
+        "4V(1 − V) of a pixel's error counts as inside: all of it at ½, none at 0 and 1.",
+        percent(*shape.outside_penumbra), has_extent ? "penumbra" : "partly lit pixels");
+    if (has_extent) {
+      text += " If all pixels of an even penumbra had the same error, a third of it would count as outside.";
+    }
   }
   return text;
 }
@@ -222,7 +224,7 @@ void add_view_tables(ReportSection& section, const MapViews& views) {
 void present_shape(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow) {
   const ShadowShape& shape = *shadow.shape;
   ReportSection& section = presentation.section;
-  section.text += edges_text(shape.error);
+  section.text += edges_text(shape.error, !extent_text(shadow.emitter).empty());
   section.tables.push_back({"Distance of errors from the edges of the hard shadow", distance_table(shape.error)});
   section.tables.back().remarks.emplace_back(units_note);
   if (shape.error.components && shape.error.components->count > 0) {

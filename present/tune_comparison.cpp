@@ -55,7 +55,8 @@ Table comparison_table(const TuneSummary& summary) {
     const Column& column = summary.shown.columns[c];
     if (is_the_cost(goal, c)) continue;
     shown.push_back(c);
-    table.columns.push_back({column_words(summary.shown, c), "", column.meaning});
+    table.columns.push_back(
+        {column_words(summary.shown, c) + of_cases_text(summary.shown, summary.cases.size()), "", column.meaning});
   }
   for (const TuneAxis& axis : summary.axes) table.columns.push_back({name_of(axis), "", "value"});
   for (const ComparedPoint& compared : summary.judgement.compared) {

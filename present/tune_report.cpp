@@ -262,12 +262,12 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const TuneGoal absolute = not_relative(goal);
     const TunePoint& checked = held.recommended ? *held.recommended : held.best;
     answers.push_back(fmt::format(
-        "held out ({}): {}default {} → {}; {}",
+        "held out ({}): {}default {} → {}{}; {}",
         held.cases.size() > 2
             ? fmt::format("{} cases, from '{}' to '{}'", held.cases.size(), held.cases.front(), held.cases.back())
             : joined(held.cases, "; "),
         goal.is_relative ? cost_words(absolute) + ", " : "", held_text(absolute, held.before, held.cases),
-        held_text(absolute, checked, held.cases),
+        held_text(absolute, checked, held.cases), of_cases_text(goal, held.cases.size()),
         judged(absolute, held.recommended ? "the recommended point" : "the best point",
                held.recommended ? held.recommended_difference : held.difference,
                checked.score.cost - held.before.score.cost)));

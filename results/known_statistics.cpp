@@ -132,11 +132,12 @@ std::vector<KnownStatistic> require_statistic(const StatisticName& name, const s
                                                    : suggestion(similar_names(name.name, names));
   std::string list;
   for (const KnownStatistic& each : known_statistics()) {
-    if (each.is_error && list.find(each.name) == std::string::npos) list += (list.empty() ? "" : ", ") + each.name;
+    const bool is_shown = each.is_error && each.kind != kinds[2];
+    if (is_shown && list.find(each.name) == std::string::npos) list += (list.empty() ? "" : ", ") + each.name;
   }
   throw Error(ExitCode::usage, option,
               "there is no statistic '" + name.name + "'" + (name.kind.empty() ? "" : " of kind " + name.kind),
-              similar.empty() ? "choose from: " + list : similar);
+              similar.empty() ? "known errors: " + list : similar);
 }
 
 }  // namespace umbrameter

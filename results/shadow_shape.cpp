@@ -10,8 +10,11 @@ namespace umbrameter {
 
 std::string missing_contacts_text(const ContactSearch& search) {
   if (search.shadowed == 0 || search.measured > 0) return {};
-  const bool have_one_reason =
-      std::max({search.own_object, search.head_on, search.distant, search.hidden}) == search.shadowed;
+  if (search.distant == search.shadowed) {
+    return fmt::format("no contact gap could be measured: none of the {} pixels in shadow lies beside its caster",
+                       grouped(search.shadowed));
+  }
+  const bool have_one_reason = std::max({search.own_object, search.head_on, search.hidden}) == search.shadowed;
   std::string text = fmt::format("no contact gap could be measured: {} {} pixels in shadow",
                                  have_one_reason ? "all" : "of", grouped(search.shadowed));
   const char* separator = have_one_reason ? " " : ", ";

@@ -1,5 +1,7 @@
 #include "experiments/measure/shadow_shape.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -7,7 +9,9 @@
 #include "compare/shimmer.h"
 #include "experiments/measure/measure.h"
 #include "raytrace/casters.h"
+#include "results/number_text.h"
 #include "scenes/emitter.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {
@@ -109,6 +113,72 @@ void add(Flips& sum, const Flips& flips) {
   sum.share += flips.share;
 }
 
+double counted_pixels(const ShadowMeasurement& shadow) {
+  return static_cast<double>(shadow.counted.totals[static_cast<std::size_t>(PixelExclusion::none)]);
+}
+
+// Pixels whose error against an area light has no shadow in it.
+void note_pixels_of_area_light(Stages& stages, const ShadowMeasurement& shadow, const Light& light,
+                               const GBuffer& gbuffer) {
+  if (!is_area(light)) return;
+  Light centre = light;
+  centre.emitter = std::monostate{};
+  const auto* const sphere = std::get_if<SphereEmitter>(&light.emitter);
+  std::uint64_t turned = 0;
+  std::uint64_t inside = 0;
+  for (std::size_t i = 0; i < gbuffer.position.size(); ++i) {
+    if (shadow.counted.exclusion[i] != PixelExclusion::none) continue;
+    const dvec3 position(gbuffer.position[i]);
+    if (sphere != nullptr && glm::length(light.position() - position) < sphere->radius) {
+      ++inside;
+    } else if (!faces(centre, position, dvec3(gbuffer.geometric_normal[i]))) {
+      ++turned;
+    }
+  }
+  const auto share = [&](std::uint64_t pixels) { return static_cast<double>(pixels) / counted_pixels(shadow); };
+  constexpr double many = 0.01;
+  if (share(inside) > many) {
+    stages.add_notes(
+        {fmt::format("{}: {} of the counted pixels are inside the light, where its reference has no "
+                     "shadow; make the light smaller",
+                     stages.title(shadow.light), percent(share(inside)))});
+  }
+  if (share(turned) > many) {
+    stages.add_notes(
+        {fmt::format("{}: {} of the counted pixels do not face the light's centre, only a part of the "
+                     "light; a technique that knows the centre alone is wrong there, whatever its bias",
+                     stages.title(shadow.light), percent(share(turned)))});
+  }
+}
+
+// The part of the error that is the light leak of casters before the near plane, which are not drawn into the map. The
+// caster is the surface nearest to the receiver, so that any others are before the plane, too.
+double leak_before_near(const ShadowMeasurement& shadow, double near, const GBuffer& gbuffer,
+                        const TracedCasters& traced) {
+  const MapLayout& layout = shadow.layout;
+  const WrongTaps& wrong = shadow.raster->wrong;
+  std::uint64_t weight = 0;
+  for (std::size_t i = 0; i < wrong.weights.size(); ++i) {
+    if (traced.instance[i] == no_id || shadow.counted.exclusion[i] != PixelExclusion::none) continue;
+    const dvec3 receiver = dvec3(layout.light_from_world * dvec4(gbuffer.position[i], 1.0));
+    const dvec3 caster = receiver * (1.0 - traced.distance[i] / glm::length(receiver));
+    if (axis_depth(layout, caster) < near) weight += wrong.weights[i].w;
+  }
+  return static_cast<double>(weight) / wrong.weight_sum / counted_pixels(shadow);
+}
+
+void note_casters_before_near(Stages& stages, const ShadowMeasurement& shadow, const GBuffer& gbuffer,
+                              const TracedCasters& traced) {
+  const double near = with_depth_encoding(shadow.layout, shadow.experiment.shadow.map_depth).encoded_near;
+  if (stages.has_engine() || !is_projective(shadow.layout.kind) || near <= 0.0) return;
+  const double share = leak_before_near(shadow, near, gbuffer, traced);
+  if (!(share > little_acne_share)) return;
+  stages.add_notes({fmt::format(
+      "{}: an error of {}, a part of the light leak, comes from casters nearer to the light than shadow.depth-near, "
+      "{}: the map leaves them out, whatever the bias; lower shadow.depth-near",
+      stages.title(shadow.light), percent(share), metres_text(near))});
+}
+
 Flips mean_of(Flips sum) { return {sum.pixels / moves.size(), sum.share / static_cast<double>(moves.size())}; }
 
 }  // namespace
@@ -127,12 +197,14 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
                          hard_truth ? &hard_truth->visibility : nullptr};
   const VisibilityStatistics* causes = by_cause(shadow);
   if (causes == nullptr) {
+    note_pixels_of_area_light(stages, shadow, light, surfels->gbuffer);
     ShadowShape shape{analyze_error_shape(input, shadow.raster->visibility)};
     if (!shadow.is_sampled) shape.error.outside_penumbra.reset();
     if (!stages.has_engine()) shape.views = measure_map_views(stages, shadow);
     return shape;
   }
   const TracedCasters traced = trace_casters(stages.tracer(), surfels->gbuffer, light);
+  note_casters_before_near(stages, shadow, surfels->gbuffer, traced);
   const RasterVisibility& raster = *shadow.raster;
   CasterShapes casters = analyze_casters(
       {input, raster.visibility, raster.wrong, traced.instance, traced.distance, stages.scene(), surfels->view});

@@ -1,5 +1,7 @@
 #include "experiments/settings/sweep.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -16,9 +18,9 @@ namespace {
 constexpr std::size_t max_values = 1'000'000;
 constexpr std::size_t max_cells = 1'000'000'000;
 
-[[noreturn]] void reject(std::string_view key, std::string_view text, const std::string& why) {
-  throw Error(ExitCode::usage, "--vary " + std::string(key) + "=" + std::string(text), why,
-              "write first:last:count, first:last:count:log or a list a,b,c");
+[[noreturn]] void reject(std::string_view key, std::string_view text, const std::string& why,
+                         const char* remedy = "write first:last:count, first:last:count:log or a list a,b,c") {
+  throw Error(ExitCode::usage, "--vary " + std::string(key) + "=" + std::string(text), why, remedy);
 }
 
 double parse_real(std::string_view key, std::string_view text, const std::string& part) {
@@ -81,7 +83,9 @@ struct LengthReader {
     if (length->number == 0.0 && length->unit == LengthUnit::metres) return 0.0;
     if (unit && *unit != length->unit) {
       reject(key, text,
-             "'" + part + "' must have the same unit as the values before it, " + std::string(unit_name(*unit)));
+             fmt::format("'{}' is in {}, but the values before it are in {}", part, unit_name(length->unit),
+                         unit_name(*unit)),
+             "write the unit at every value");
     }
     unit = length->unit;
     return length->number;

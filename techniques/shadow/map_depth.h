@@ -97,9 +97,6 @@ struct ClipRows {
 };
 ClipRows clip_rows(const MapLayout& layout);
 
-/// Whether the map has a projection with a centre, for which perspective encodings differ from linear ones.
-inline bool is_projective(MapKind kind) { return kind == MapKind::perspective || kind == MapKind::cube; }
-
 /// One of the constants in `shared`.
 int depth_mapping(const MapDepthParams& params, const MapLayout& layout);
 

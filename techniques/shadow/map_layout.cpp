@@ -168,15 +168,18 @@ void require_bias_unit(const MapLayout& layout, LengthUnit unit) {
               "give the bias in metres or texels, or use the linear encoding");
 }
 
+double axis_depth(const MapLayout& layout, const dvec3& local) {
+  return layout.kind == MapKind::cube ? std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)}) : -local.z;
+}
+
 double texel_at(const MapLayout& layout, const dvec3& position) {
   const dvec3 local = in_light_space(layout, position);
   if (layout.warp) return warped_texel(*layout.warp, layout.resolution, dvec2(local));
   const double texel = 2.0 * layout.views[view_of(layout, local)].half_extent / layout.resolution;
   if (layout.kind == MapKind::orthographic) return texel;
-  if (layout.kind == MapKind::perspective) return texel * std::max(-local.z, 0.0);
+  if (is_projective(layout.kind)) return texel * std::max(axis_depth(layout, local), 0.0);
   // The projection keeps angles: along both axes the tangent of half the angle grows by 1 / (1 + cos θ).
-  if (layout.kind == MapKind::paraboloid) return texel * (glm::length(local) + std::abs(local.z));
-  return texel * std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)});
+  return texel * (glm::length(local) + std::abs(local.z));
 }
 
 NormalOffset placed_offset(const MapLayout& layout, NormalOffset offset, OffsetTexel texel) {

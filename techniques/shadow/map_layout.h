@@ -21,6 +21,9 @@ enum class MapKind : int { orthographic, perspective, cube, paraboloid };
 /// Whether the map surrounds the light, so that depth is radial distance.
 inline bool is_omnidirectional(MapKind kind) { return kind == MapKind::cube || kind == MapKind::paraboloid; }
 
+/// Whether the map has a projection with a centre, for which perspective encodings differ from linear ones.
+inline bool is_projective(MapKind kind) { return kind == MapKind::perspective || kind == MapKind::cube; }
+
 /// One image of a shadow map: a layer of its texture.
 struct MapView {
   dvec2 center{0.0};  ///< orthographic: centre of the image in light space, metres
@@ -150,6 +153,9 @@ void require_bias_unit(const MapLayout& layout, LengthUnit unit);
 inline bool has_equal_texels(const MapLayout& layout) { return layout.kind == MapKind::orthographic && !layout.warp; }
 /// Whether the size of a texel differs from pixel to pixel, so that texels are metres only on average.
 inline bool texels_differ(const MapLayout& layout) { return !has_equal_texels(layout) || layout.views.size() > 1; }
+
+/// Depth of a position in light space along the axis of the view that sees it, metres; not of a paraboloid map.
+double axis_depth(const MapLayout& layout, const dvec3& local);
 
 /// Side length of a texel at a world position, metres, without blending; of a warped map its longer side.
 double texel_at(const MapLayout& layout, const dvec3& position);

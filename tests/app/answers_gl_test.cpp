@@ -315,13 +315,17 @@ TEST_F(Answers, Screen_space_shadows_alone_are_not_told_as_a_shadow_map) {
   };
   const std::vector<std::string> of_map = {"Shadow map: sun", "Constant bias of these images", "a large bias",
                                            "choose a bias or a resolution", "the map holds depths"};
-  const std::string with_map = page({"--shadow.contact-shadows", "true"});
+  const char* blurred = "every blurred pixel is wrong";
+  EXPECT_EQ(page({"--shadow.contact-shadows", "true"}).find(blurred), std::string::npos) << "the filter is nearest";
+  const std::string with_map = page({"--shadow.contact-shadows", "true", "--shadow.filter", "gaussian"});
+  EXPECT_NE(with_map.find(blurred), std::string::npos);
   expect_words(with_map, of_map);
-  expect_words(with_map, {"; contact shadows: rays of 30 cm in 8 steps."});
+  expect_words(with_map, {"; contact shadows: rays of 30 cm in 8 steps.", "(at most 2 texels away or"});
   for (const char* angle : {"0", "2"}) {
     const std::string alone = page({"--shadow.technique", "screen-space", "--light.angle", angle});
     expect_words(alone, {"no bias recommended: screen-space reads no shadow map",
                          "Screen-space shadows: rays of 30 cm in 8 steps."});
+    if (angle == std::string("0")) expect_words(alone, {"(at most 2 texels of a 1024² map away or"});
     for (const std::string& words : of_map) EXPECT_EQ(alone.find(words), std::string::npos) << words;
   }
 }

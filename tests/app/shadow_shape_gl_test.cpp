@@ -107,10 +107,41 @@ TEST_F(ShadowShapeRun, A_run_says_why_no_contact_gap_could_be_measured) {
   EXPECT_EQ(search["distant_px"], search["shadowed_px"]);
   EXPECT_EQ(search["measured_px"], 0);
   const std::string reason = search["not_measured_because"];
-  EXPECT_NE(reason.find("no contact gap could be measured: all "), std::string::npos) << reason;
-  EXPECT_NE(reason.find("do not lie beside their caster"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("no contact gap could be measured: none of the "), std::string::npos) << reason;
+  EXPECT_NE(reason.find(" pixels in shadow lies beside its caster"), std::string::npos) << reason;
   EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
   EXPECT_NE(text_of(folder_ / "out/index.html").find(reason), std::string::npos);
+}
+
+// No bias mends what a near plane cuts off, what lies inside the light, or what faces a part of it.
+TEST_F(ShadowShapeRun, An_error_that_no_bias_mends_is_named) {
+  const auto notes = [&](std::vector<std::string> command) {
+    for (const char* each : {"-o", "OUT", "--measure", "shadows", "--size", "160x90", "--no-figures", "--force"})
+      command.emplace_back(each == std::string("OUT") ? (folder_ / "out").string() : each);
+    const ProgramResult result = run_program(command);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.err;
+  };
+  const auto at_near = [&](const std::string& near) {
+    std::string text = notes({"compare", "courtyard", "--camera", "arcade", "--light", "lantern",
+                              "--shadow.depth-encoding", "perspective", "--shadow.depth-near", near});
+    const Json summary = Json::parse(text_of(folder_ / "out/summary.json"));
+    return std::pair(summary["shadows"][0]["statistics"]["leak"].get<double>(), std::move(text));
+  };
+  const auto [leak, note] = at_near("0.5");
+  const auto [less, silence] = at_near("0.05");
+  const std::string start = "note: lantern: an error of ";
+  ASSERT_NE(note.find(start), std::string::npos) << note;
+  EXPECT_NEAR(0.01 * std::stod(note.substr(note.find(start) + start.size())), leak - less, 0.005);
+  EXPECT_NE(note.find("nearer to the light than shadow.depth-near, 50 cm"), std::string::npos) << note;
+  EXPECT_EQ(silence.find("nearer to the light"), std::string::npos) << silence;
+
+  const std::string within = notes({"compare", "thin-leaf", "--light", "lamp", "--light.radius", "8"});
+  EXPECT_NE(within.find("lamp: 100 % of the counted pixels are inside the light"), std::string::npos) << within;
+  // Faces whose plane holds the sun's direction count at any extent.
+  const std::string edge_on =
+      notes({"compare", "contact-box", "--camera", "front-row", "--light", "sun-across", "--light.angle", "0.1"});
+  EXPECT_NE(edge_on.find(" % of the counted pixels do not face the light's centre"), std::string::npos) << edge_on;
 }
 
 TEST_F(ShadowShapeRun, The_table_of_casters_says_how_many_it_leaves_out_and_the_largest_gap_of_all) {

@@ -56,9 +56,9 @@ TEST(BiasTables, Where_every_good_bias_leaves_acne_the_answer_names_the_first_th
     present_bias(presentation, curves);
     return presentation.answers.at(0);
   };
-  EXPECT_NE(
-      answer().find("; acne 0.200 %, and at most 0.1 % only from 5.3 cm (1.66 texels) on, where the error is 1.25 %"),
-      std::string::npos)
+  EXPECT_NE(answer().find("; acne 0.200 %, and at most 0.1 % only from the swept bias 5.3 cm (1.66 texels) on, where "
+                          "the error is 1.25 %"),
+            std::string::npos)
       << answer();
   curve.optima.lines[0].little_acne.reset();
   EXPECT_NE(answer().find("; acne 0.200 %, and more than 0.1 % at every swept bias"), std::string::npos) << answer();
