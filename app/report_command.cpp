@@ -219,8 +219,9 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
                              (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
     if (part.has_noise) {
       section.text +=
-          " This noise can only raise an absolute error. The intervals of errors and of their differences therefore "
-          "also hold the values without noise.";
+          " This noise can only raise an absolute error. The intervals of errors and of their differences are "
+          "therefore "
+          "wider, so that they also contain what a reference without noise would give.";
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=

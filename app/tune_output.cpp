@@ -158,6 +158,27 @@ void add_warnings(const TuneRun& run, TuneSummary& summary) {
   }
 }
 
+// What a tuning calls the default is the point as given, which presets and flags decide.
+void note_given(const TuneRun& run) {
+  const TuneCase& first = run.cases.front();
+  std::vector<std::uint32_t> lights;
+  if (first.quantity == SweptQuantity::visibility) {
+    for (const TuneCase& each : run.cases) {
+      if (each.stages == first.stages) lights.push_back(each.light);
+    }
+  }
+  add_setting_notes(*first.stages, run.line, first.experiment, lights);
+  Experiment usual;
+  std::string given;
+  for (std::size_t a = 0; a < run.job.axes.size(); ++a) {
+    const TuneAxis& axis = run.job.axes[a];
+    const std::string text = value_text(axis, run.job.given[a]);
+    if (text == value_text(axis, require(describe(usual), axis.key()).value())) continue;
+    given += fmt::format("{}{} {}", given.empty() ? "" : ", ", axis.key(), text);
+  }
+  if (!given.empty()) first.stages->add_notes({"the default of this tuning is the point as given: " + given});
+}
+
 void note_limits_of_rays(const TuneRun& run) {
   const TuneCase& first = run.cases.front();
   const std::vector<SweepAxis> axes = mapped(run.job.axes, [](const TuneAxis& each) { return each.axis; });
@@ -212,6 +233,7 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   results.tune->engines = engines_of(job, run.cases, summary);
   if (!line.no_figures) results.tune->points = measure_points(run.cases.front(), summary);
   add_warnings(run, results.tune->summary);
+  note_given(run);
   note_limits_of_rays(run);
   results.notes = run.notes();
   for (const std::string& text : measured.notes) {

@@ -215,7 +215,6 @@ void AoResponse::add_row(Part& part, const AoResponseRow& row) const {
     open.squared_noise += pixel.open[squared_noise];
     open.variance += pixel.variance;
     open.variance_squared += pixel.variance * pixel.variance;
-    open.scatter += pixel.deviation;
     const double samples = truth_.samples.empty() ? 0.0 : static_cast<double>(truth_.samples[i]);
     if (samples > 0.0) open.min_samples = std::min(open.min_samples, samples);
     if (row.counts[x] == 0) {

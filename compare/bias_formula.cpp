@@ -61,7 +61,7 @@ std::vector<FormulaTerm> choose_terms(BiasFormula& formula) {
                               (range.values == 1 ? " value" : " values") + "; at least " +
                               std::to_string(min_formula_values) + " are needed)");
   };
-  choose(FormulaTerm::slope, "depth per texel", formula.depth_per_texel);
+  choose(FormulaTerm::slope, "Δz alone", formula.depth_per_texel);
   choose(FormulaTerm::slope_radius, "filter radius", formula.radius);
   const FormulaRange& step = formula.depth_step;
   if (step.values >= min_formula_values && step.max - step.min < formula.axis_step) {

@@ -29,7 +29,6 @@ struct ErrorSums {
   double variance = 0.0;
   double variance_squared = 0.0;
   double min_samples = std::numeric_limits<double>::infinity();
-  double scatter = 0.0;
   double max_error = 0.0;
   int max_x = -1;
   PartSums too_dark;

@@ -76,7 +76,6 @@ ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, 
     sums.squared += error * error;
     sums.squared_noise += error * error * variance;
     sums.variance += variance;
-    sums.scatter += s;
     const NoiseBound noise = noise_bound(error, s, truth.degrees_of_freedom);
     add_part(sums.too_bright, error, variance, noise);
     add_part(sums.too_dark, -error, variance, {noise.value, -noise.slope});
@@ -141,7 +140,6 @@ void add(ErrorSums& total, const ErrorSums& part) {
   total.squared += part.squared;
   total.squared_noise += part.squared_noise;
   total.variance += part.variance;
-  total.scatter += part.scatter;
   total.variance_squared += part.variance_squared;
   add(total.too_dark, part.too_dark);
   add(total.too_bright, part.too_bright);
@@ -174,7 +172,6 @@ SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom) {
   };
   statistics.too_dark = part(0.5 * (total.absolute - total.error), total.too_dark, too_dark_at_least);
   statistics.too_bright = part(0.5 * (total.absolute + total.error), total.too_bright, too_bright_at_least);
-  statistics.mean_standard_error = total.scatter * scale;
   const double mean_square = (total.squared - total.variance) * scale;
   const double square_half_width = quantile * std::sqrt(variance_of_squares(total, degrees_of_freedom)) * scale;
   const auto root = [](double square) { return std::sqrt(std::max(square, 0.0)); };

@@ -36,7 +36,6 @@ struct SampledError {
   double max_error = 0.0;
   int max_x = -1;  ///< px, row 0 on top; −1 without an error
   int max_y = -1;
-  double mean_standard_error = 0.0;  ///< mean over the pixels of the square root of the variance
 };
 
 /// A sampled quantity. The images have the same size; pixels are statistically independent.

@@ -314,7 +314,7 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
         curves.formulas, [](const CurveFormula& of) { return of.points.size() + of.left_out >= 3 && of.left_out > 0; });
     const std::string text = fmt::format(
         "no formula for the bias over {}: too few combinations that differ in texel size, Δz, filter radius or depth "
-        "step have a bias on the axis; of {} needed there are {}{}",
+        "step have such a bias inside the axis; of {} needed there are {}{}",
         names_of(curves.formula_axes), needed, counts,
         is_off_axis ? "; others have none there, or theirs may lie beyond its end" : "");
     section.text += fmt::format("\n\nThere is {}. {}.", text,
@@ -330,8 +330,8 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   const std::string symbols = symbols_text(all);
   section.text += fmt::format(
       "\n\nThe table 'Formulas of the bias' fits the bias over {} by {}. {}{}Independent points differ in texel size, "
-      "Δz, filter radius or depth step; only they count in the standard errors, which without a residual come from the "
-      "step of the bias axis alone. Use a formula only within the range that it was fitted over.",
+      "Δz, filter radius or depth step; only they count in the standard errors, which come from the residuals and "
+      "from the step of the bias axis. Use a formula only within the range that it was fitted over.",
       names_of(curves.formula_axes), method, symbols, symbols.empty() ? "" : ". ");
   const std::vector<std::vector<Value>> settings = settings_of(curves);
   for (std::size_t i = 0; i < std::min(settings.size(), max_formula_plots); ++i) {

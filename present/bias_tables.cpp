@@ -212,7 +212,8 @@ std::string explanation(const BiasCurves& curves) {
 
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
   const std::string text = constant_text(curves, curve, cell);
-  return curves.varies_slope ? text + ", slope-scaled bias " + to_string(on_axis({}, cell.slope)) + " texels" : text;
+  return curves.varies_slope ? text + ", slope-scaled bias " + with_unit(to_string(on_axis({}, cell.slope)), "texels")
+                             : text;
 }
 
 void present_bias(Presentation& presentation, const BiasCurves& curves) {

@@ -52,9 +52,10 @@ std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, c
     if (number != nullptr && axis.unit == "m") {
       text += metres_text(*number, digits);
     } else {
-      text += number != nullptr && std::abs(*number) < 1e4 ? with_minus(fmt::format("{:.{}g}", *number, digits))
-                                                           : short_text(row[a]);
-      text = with_unit(std::move(text), axis.unit);
+      text +=
+          with_unit(number != nullptr && std::abs(*number) < 1e4 ? with_minus(fmt::format("{:.{}g}", *number, digits))
+                                                                 : short_text(row[a]),
+                    axis.unit);
     }
   }
   return text;

@@ -98,11 +98,25 @@ std::string own_drawing_text(const EngineAdvice& advice) {
   return joined(parts, " and ");
 }
 
+// Whether a polygon offset of this light could be said in the engine's number for the slope, and is not there yet.
+bool lacks_slope(const EngineAdvice& advice) {
+  const ConvertedTarget& target = advice.target;
+  const auto has_equivalent = [](const BiasConversion& each) { return each.has_equivalent; };
+  BiasTerms slope;
+  slope.slope = 1.0;
+  return std::ranges::none_of(target.conversions, has_equivalent) &&
+         std::ranges::all_of(target.places, [&](const MapPlace& place) {
+           // The constant that acts besides the numbers is known of suns and left out of point lights.
+           const bool is_known = target.spec.engine->constant_of_range == 0.0 || place.light != LightKind::spot;
+           return is_known && has_equivalent(convert(slope, target.spec, place));
+         });
+}
+
 // How to find the numbers of an engine that has none for the constant bias; empty if it has one or no slope either.
 std::string search_text(const EngineAdvice& advice) {
   const BiasEngine& engine = *advice.target.spec.engine;
   const auto slope = std::ranges::find(engine.numbers, BiasTerm::slope, &BiasNumber::term);
-  if (has_number(engine, BiasTerm::constant) || slope == engine.numbers.end()) return {};
+  if (has_number(engine, BiasTerm::constant) || slope == engine.numbers.end() || !lacks_slope(advice)) return {};
   return fmt::format(
       "{0}: its {1} is a polygon offset factor, which 'umbrameter tune SCENE --light LIGHT --preset NAME "
       "--vary shadow.polygon-offset-factor=0:10 --for {0} -o DIR' finds",

@@ -89,8 +89,9 @@ std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
                  "costs little; ") +
              remedy;
     case NoBias::unbounded:
-      return "a bias that removes every shadow is among the best, because the map is too coarse or the filter too "
-             "wide; raise --shadow.resolution, or use a narrower filter";
+      return "a bias that removes every shadow is among the best, because the map is too coarse, the filter too "
+             "wide, or the casters are not in the map; raise --shadow.resolution, use a narrower filter, or look at "
+             "--shadow.depth-far and --shadow.faces";
   }
   return {};
 }

@@ -267,8 +267,9 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
   }
   if (shows_noise) {
     answers.emplace_back(
-        "the noise of a sampled reference can only raise an error: an interval 'A to B' is longer at its lower end, so "
-        "that the error without noise is in it, too; more rays (--truth.spp) shorten it");
+        "the noise of a sampled reference can only raise an error: an interval 'A to B' of such an error reaches down "
+        "to "
+        "what it would be without noise; more rays (--truth.spp) shorten it");
   }
   for (const StoredRun& run : runs) {
     const auto of_ao = [&](std::string_view name) {

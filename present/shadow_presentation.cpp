@@ -273,10 +273,12 @@ std::string stored_depths_text(const ShadowMeasurement& shadow) {
   const std::string first = metres_text(depths.step_at_nearest);
   const std::string last = metres_text(depths.step_at_farthest);
   return fmt::format(
-      "the map holds depths from {} to {} in steps of {} ({}, {}); the unit of polygon offsets is {:.3g}.",
+      "the map holds depths from {} to {} in steps of {} ({}, {}); one unit of polygon offset is {:.3g} of its depth "
+      "range{}.",
       metres_text(depths.range->nearest), metres_text(depths.range->farthest),
       first == last ? first : first + " to " + last, value_text(shadow.experiment, "shadow.depth-format"),
-      value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit);
+      value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit,
+      stores_floats(shadow.experiment.shadow.map_depth.format) ? " at stored depths from ½ on, and less below" : "");
 }
 
 // With all digits where fewer would be those of the recommended bias, which is another.

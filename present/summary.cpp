@@ -115,7 +115,6 @@ Json shadow_json(const SceneFacts& scene, const ShadowMeasurement& shadow) {
     const ShadowStatistics& statistics = *shadow.statistics;
     object["statistics"] = std::visit([](const auto& each) { return statistics_json(each); }, statistics);
     if (const auto* soft = std::get_if<SoftVisibilityStatistics>(&statistics)) {
-      object["statistics"]["mean_standard_error"] = soft->error.mean_standard_error;
       object["max_error_at_px"] = place_json(soft->error.max_x, soft->error.max_y);
     } else if (const auto* edges = std::get_if<EdgeStatistics>(&statistics)) {
       object["max_error_at_px"] = place_json(edges->max_x, edges->max_y);

@@ -225,9 +225,8 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const BiasCell& used = result.plateau->recommended;
     answers.push_back(fmt::format(
         "use {}: {} {}{}, acne {}{}. Of the constant biases{}{}, this is, to three digits, the smallest that "
-        "costs at most {} more than the best of them and has acne of at most 0.1 %{}; a larger one detaches shadows "
-        "that "
-        "these views may not show",
+        "costs at most {} more than the best of them and has acne of at most 0.1 %{}; a larger bias can detach shadows "
+        "that these views do not show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
         has_cases ? "at most " : "", percent(used.acne), goal.constraints.empty() ? "" : " that keep the constraints",
         summary.axes.size() > 1 ? " (with the same other values)" : "", tolerance_text(summary),

@@ -40,6 +40,14 @@ std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const
 
 std::string good_values_text(const TuneSummary& summary, const AxisScan& scan) {
   const TuneAxis& axis = summary.axes[scan.axis];
+  if (axis.is_word() && summary.result.best.score.is_kept()) {
+    std::string words;
+    for (const TunePoint& point : scan.points) {
+      if (!point.score.is_kept() || !(point.score.cost <= summary.result.limit.error)) continue;
+      words += (words.empty() ? "" : ", ") + value_text(axis, point.values[scan.axis]);
+    }
+    return words.empty() ? "—" : words;
+  }
   const auto range = range_within(summary, scan);
   if (!range) return "—";
   std::string ends = ends_text(axis, *range);
@@ -122,8 +130,8 @@ Table sensitivity_table(const TuneSummary& summary) {
             (summary.result.limit.is_by_pixels
                  ? fmt::format(" ({} of all counted pixels, which is more than 5 %)", chance_pixels)
                  : std::string()) +
-            ": of a constant bias from its whole curve where that was measured, else of the measured values, of which "
-            "the nearest outside are named; values that break a constraint are outside"},
+            ". The range of a constant bias comes from its whole curve, if that was measured; any other spans measured "
+            "values, and the nearest ones outside are named. Values that break a constraint are outside"},
        {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};
   for (const AxisScan& scan : summary.result.scans) {

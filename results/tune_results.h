@@ -37,8 +37,9 @@ struct TuneResult {
   TunePoint best;
   TunePoint before;                    ///< the experiment's values as given: the default
   std::optional<TunePoint> runner_up;  ///< the best measured point that differs by a twentieth of an axis, or in a word
-  std::vector<TunePoint> points;       ///< every evaluated point, in order; with an exact bias the best for each
-  std::vector<TunePoint> curve;        ///< with an exact bias: along it, thinned
+  std::vector<TunePoint>
+      points;  ///< every evaluated point, in order, then better ones of scans; with an exact bias the best for each
+  std::vector<TunePoint> curve;  ///< with an exact bias: along it, thinned
   /// With an exact bias: along it at the best values of the others, with the cost as the error and the acne of the case
   /// that has most. Empty where no bias keeps the constraints.
   std::optional<BiasPlateau> plateau{};
@@ -51,9 +52,9 @@ struct TuneResult {
   std::vector<AxisScan> scans;
   std::vector<WordPoint> of_words;  ///< for each axis of words and each of its values that was evaluated
   std::string method;               ///< "all 12 combinations", "DIRECT-L, then subplex"
-  std::size_t evaluations = 0;
-  bool is_exact = false;     ///< the constant bias is measured at all values at once
-  std::string stopped_by{};  ///< "2.0 minutes"; empty if the search ended by itself or by evaluations
+  std::size_t evaluations = 0;      ///< points of the search, without those that a scan found to be better
+  bool is_exact = false;            ///< the constant bias is measured at all values at once
+  std::string stopped_by{};         ///< "2.0 minutes"; empty if the search ended by itself or by evaluations
 };
 
 /// A point beside the best one.

@@ -176,7 +176,7 @@ class EnginesOfLight {
     std::optional<Experiment> experiment = with_terms(experiment_, layout_, places_, terms, reason);
     if (!experiment) return {};
     if (!takes_bias_unit(layout_, experiment->shadow.bias.constant.unit)) {
-      reason = "it is a share of the map's depth, in which this map has no bias: a face's depth is not the distance";
+      reason = "its bias is a share of the depth that a cube's face stores, a unit which our bias does not have there";
       return {};
     }
     draw_as(experiment->shadow.map_depth, spec);

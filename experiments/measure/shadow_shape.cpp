@@ -151,32 +151,35 @@ void note_pixels_of_area_light(Stages& stages, const ShadowMeasurement& shadow, 
   }
 }
 
-// The part of the error that is the light leak of casters before the near plane, which are not drawn into the map. The
-// caster is the surface nearest to the receiver, so that any others are before the plane, too.
-double leak_before_near(const ShadowMeasurement& shadow, double near, const GBuffer& gbuffer,
-                        const TracedCasters& traced) {
-  const MapLayout& layout = shadow.layout;
+// Names the part of the error that is the light leak of casters which the map's planes cut off. The caster is the
+// surface nearest to the receiver: if it is before the near plane, so is any other.
+void note_casters_cut_off(Stages& stages, const ShadowMeasurement& shadow, const GBuffer& gbuffer,
+                          const TracedCasters& traced) {
+  const MapLayout encoded = with_depth_encoding(shadow.layout, shadow.experiment.shadow.map_depth);
+  if (stages.has_engine() || !is_projective(encoded.kind) || encoded.encoded_near <= 0.0) return;
   const WrongTaps& wrong = shadow.raster->wrong;
-  std::uint64_t weight = 0;
+  std::uint64_t before = 0;
+  std::uint64_t beyond = 0;
   for (std::size_t i = 0; i < wrong.weights.size(); ++i) {
     if (traced.instance[i] == no_id || shadow.counted.exclusion[i] != PixelExclusion::none) continue;
-    const dvec3 receiver = dvec3(layout.light_from_world * dvec4(gbuffer.position[i], 1.0));
+    const dvec3 receiver = dvec3(encoded.light_from_world * dvec4(gbuffer.position[i], 1.0));
     const dvec3 caster = receiver * (1.0 - traced.distance[i] / glm::length(receiver));
-    if (axis_depth(layout, caster) < near) weight += wrong.weights[i].w;
+    const double depth = axis_depth(encoded, caster);
+    if (depth < encoded.encoded_near) before += wrong.weights[i].w;
+    if (depth > far_end_of(encoded)) beyond += wrong.weights[i].w;
   }
-  return static_cast<double>(weight) / wrong.weight_sum / counted_pixels(shadow);
-}
-
-void note_casters_before_near(Stages& stages, const ShadowMeasurement& shadow, const GBuffer& gbuffer,
-                              const TracedCasters& traced) {
-  const double near = with_depth_encoding(shadow.layout, shadow.experiment.shadow.map_depth).encoded_near;
-  if (stages.has_engine() || !is_projective(shadow.layout.kind) || near <= 0.0) return;
-  const double share = leak_before_near(shadow, near, gbuffer, traced);
-  if (!(share > little_acne_share)) return;
-  stages.add_notes({fmt::format(
-      "{}: an error of {}, a part of the light leak, comes from casters nearer to the light than shadow.depth-near, "
-      "{}: the map leaves them out, whatever the bias; lower shadow.depth-near",
-      stages.title(shadow.light), percent(share), metres_text(near))});
+  const auto add_note = [&](std::uint64_t weight, const char* side, const char* plane, double depth,
+                            const char* remedy) {
+    const double share = static_cast<double>(weight) / wrong.weight_sum / counted_pixels(shadow);
+    if (!(share > little_acne_share)) return;
+    stages.add_notes(
+        {fmt::format("{}: an error of {}, a part of the light leak, comes from casters {} the light than {}, {}: the "
+                     "map leaves them "
+                     "out, whatever the bias; {} it",
+                     stages.title(shadow.light), percent(share), side, plane, metres_text(depth), remedy)});
+  };
+  add_note(before, "nearer to", "shadow.depth-near", encoded.encoded_near, "lower");
+  add_note(beyond, "farther from", "shadow.depth-far", far_end_of(encoded), "raise");
 }
 
 Flips mean_of(Flips sum) { return {sum.pixels / moves.size(), sum.share / static_cast<double>(moves.size())}; }
@@ -204,7 +207,7 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
     return shape;
   }
   const TracedCasters traced = trace_casters(stages.tracer(), surfels->gbuffer, light);
-  note_casters_before_near(stages, shadow, surfels->gbuffer, traced);
+  note_casters_cut_off(stages, shadow, surfels->gbuffer, traced);
   const RasterVisibility& raster = *shadow.raster;
   CasterShapes casters = analyze_casters(
       {input, raster.visibility, raster.wrong, traced.instance, traced.distance, stages.scene(), surfels->view});

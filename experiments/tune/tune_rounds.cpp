@@ -140,7 +140,7 @@ Repetition repeat(const SearchInput& input, const KnownPoints& known, Guesser gu
     return guessed;
   };
   try {
-    const TuneResult result =
+    TuneResult result =
         search_points(input, ask, [&](std::size_t, std::size_t all, const TuneScore&) { repetition.limit = all; });
     // Around a best point that is only guessed nothing needs to be known.
     if (!result.best.cases.empty()) scan_axes(input, result, ask);

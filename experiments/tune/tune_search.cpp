@@ -211,6 +211,43 @@ void add_evaluated(AxisScan& scan, const std::vector<TuneAxis>& axes, const Tune
                            [&](const TunePoint& point) { return position_of(axis, point.values[scan.axis]); });
 }
 
+// The points along each axis from the best one; none along the exact axis.
+std::vector<AxisScan> scans_from_best(const SearchInput& input, const TuneResult& result, const AskPoint& ask) {
+  std::vector<AxisScan> scans;
+  for (std::size_t a = 0; a < input.axes.size(); ++a) {
+    AxisScan& scan = scans.emplace_back(AxisScan{a, {}});
+    if (a == input.exact) continue;
+    for (const Value& value : scanned_values(input.axes[a], result.best.values[a])) {
+      std::vector<Value> point = result.best.values;
+      point[a] = value;
+      const bool is_best = value == result.best.values[a];
+      scan.points.push_back(is_best ? result.best : ask({TuneQuery::Kind::scan, point}, result.goal));
+    }
+    add_evaluated(scan, input.axes, result);
+  }
+  return scans;
+}
+
+constexpr int most_steps = 4;         // from one best point to a better one
+constexpr double much_better = 0.95;  // of the cost: less is not worth another scan
+
+// A point whose value is only guessed has no cases.
+bool is_much_better(const TunePoint& point, const TunePoint& best) {
+  if (point.cases.empty() || !is_better(point.score, best.score)) return false;
+  return point.score.violation < best.score.violation || point.score.cost < much_better * best.score.cost;
+}
+
+const TunePoint* much_better_point(const TuneResult& result) {
+  const TunePoint* better = nullptr;
+  for (const AxisScan& scan : result.scans) {
+    for (const TunePoint& point : scan.points) {
+      if (is_much_better(point, result.best) && (better == nullptr || is_better(point.score, better->score)))
+        better = &point;
+    }
+  }
+  return better;
+}
+
 }  // namespace
 
 std::string key_of(const TuneQuery& query, std::optional<std::size_t> exact) {
@@ -231,23 +268,21 @@ TuneResult search_points(const SearchInput& input, const AskPoint& ask, const Tu
   return Search(input, ask, progress).run();
 }
 
-std::vector<AxisScan> scan_axes(const SearchInput& input, const TuneResult& result, const AskPoint& ask) {
-  std::vector<AxisScan> scans;
-  for (std::size_t a = 0; a < input.axes.size(); ++a) {
-    AxisScan& scan = scans.emplace_back(AxisScan{a, {}});
-    if (a == input.exact) {
-      scan.points = result.curve;
-      continue;
+void scan_axes(const SearchInput& input, TuneResult& result, const AskPoint& ask) {
+  for (int step = 0;; ++step) {
+    result.scans = scans_from_best(input, result, ask);
+    const TunePoint* better = step < most_steps && result.stopped_by.empty() ? much_better_point(result) : nullptr;
+    if (better == nullptr) return;
+    try {
+      TunePoint point = input.exact ? ask({TuneQuery::Kind::point, better->values}, result.goal) : *better;
+      if (!is_much_better(point, result.best)) return;
+      result.points.push_back(point);
+      result.best = std::move(point);
+    } catch (const SearchEnd& end) {
+      result.stopped_by = end.stopped_by;
+      return;
     }
-    for (const Value& value : scanned_values(input.axes[a], result.best.values[a])) {
-      std::vector<Value> point = result.best.values;
-      point[a] = value;
-      const bool is_best = value == result.best.values[a];
-      scan.points.push_back(is_best ? result.best : ask({TuneQuery::Kind::scan, point}, result.goal));
-    }
-    add_evaluated(scan, input.axes, result);
   }
-  return scans;
 }
 
 }  // namespace umbrameter

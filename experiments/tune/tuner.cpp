@@ -149,8 +149,13 @@ void find_best_of_words(TuneResult& result, const TuneInput& in) {
     if (!axes[a].is_word()) continue;
     for (const Value& word : axes[a].axis.values) {
       const TunePoint* best = nullptr;
-      for (const TunePoint& point : result.points) {
+      const auto take = [&](const TunePoint& point) {
         if (point.values[a] == word && (best == nullptr || is_better(point.score, best->score))) best = &point;
+      };
+      std::ranges::for_each(result.points, take);
+      // Of the best word, the best point is the search's, although a scan may have found one that is a little better.
+      if (result.best.values[a] != word) {
+        for (const AxisScan& scan : result.scans) std::ranges::for_each(scan.points, take);
       }
       if (best != nullptr) result.of_words.push_back({a, *best, unread_at(*best, in)});
     }
@@ -180,6 +185,7 @@ TuneResult tune(const TuneInput& input, TuneJournal& journal, const TuneProgress
   };
   const SearchInput search{input.axes, input.goal, input.given, input.budget.evaluations, exact};
   TuneResult result = search_points(search, ask, progress);
+  scan_axes(search, result, ask);
   const std::uint64_t pixels = pixels_of_cost(result, input);
   result.limit = limit_of_plateau(result.best.score.cost, pixels);
   find_runner_up(result, input.axes, result.points);
@@ -187,9 +193,9 @@ TuneResult tune(const TuneInput& input, TuneJournal& journal, const TuneProgress
     const std::vector<TunePoint> all = measurer.measure_curve(result.best.values, result.goal);
     find_plateau(result, input, measurer, all, pixels);
     find_runner_up(result, input.axes, all);
+    result.scans[*exact].points = result.curve;
   }
   find_best_of_words(result, input);
-  result.scans = scan_axes(search, result, ask);
   for (const AxisScan& scan : result.scans) find_runner_up(result, input.axes, scan.points);
   return result;
 }

@@ -274,7 +274,7 @@ std::vector<BiasEngine> unity() {
            "in addition every caster is drawn with polygon offset factor 2.5, units 1. The light's numbers are read "
            "only if its bias is set to Custom, else those of the pipeline asset",
        .unverified = "(1 − cos θ) of ApplyShadowBias is from copies of Shadows.hlsl, not from Unity's own source",
-       .note_of_lamps = "point lights are not converted; the preset unity-urp-point has the formula of one map",
+       .note_of_lamps = "point lights are not converted; the preset unity-urp-point has their formula",
        .polygon_factor = 2.5,
        .polygon_units = 1.0},
       {.name = "unity-hdrp",
@@ -289,7 +289,8 @@ std::vector<BiasEngine> unity() {
                     "hdLight.slopeBias = {}f;"}},
        .note =
            "in addition every caster is drawn with polygon offset units 1, and receivers are compared with a bias of "
-           "1/65536 of the depth; with filtering quality High the 5 grows with the light's size, up to 18",
+           "1/65536 of the depth; slopeBias counts 5 texels × slope, with filtering quality High more, up to 18, the "
+           "larger the light",
        .polygon_units = 1.0,
        .constant_of_range = 1.0 / 65536.0},
   };

@@ -39,6 +39,8 @@ inline constexpr int DEPTH_REVERSED_OVER_W = 5;
 /// OpenGL has no depth texture of 16-bit floats: f16 and f16_down are drawn as f32 and rounded by nearest_half() and
 /// half_below() when they are read.
 enum class MapDepthFormat : int { f32, f16, f16_down, fixed24, fixed16 };
+inline bool stores_floats(MapDepthFormat format) { return format <= MapDepthFormat::f16_down; }
+
 /// perspective and reversed are those of a projection matrix: of an orthographic one, perspective is linear, too, and
 /// of a warped one the depth over w.
 enum class DepthEncoding : int { linear, perspective, reversed };

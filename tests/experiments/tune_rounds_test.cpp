@@ -61,7 +61,7 @@ InRounds tune_in_rounds(const Tuning& tuning, std::size_t wanted) {
     return scored(known.at(key_of(query, std::nullopt)), goal);
   };
   all.result = search_points(tuning.input(), ask);
-  all.result.scans = scan_axes(tuning.input(), all.result, ask);
+  scan_axes(tuning.input(), all.result, ask);
   return all;
 }
 
@@ -71,7 +71,7 @@ TuneResult tune_alone(const Tuning& tuning, std::size_t& measured) {
     return scored(tuning.measure(query), goal);
   };
   TuneResult result = search_points(tuning.input(), ask);
-  result.scans = scan_axes(tuning.input(), result, ask);
+  scan_axes(tuning.input(), result, ask);
   return result;
 }
 
@@ -195,11 +195,29 @@ TEST(TuneSearch, Few_evaluations_reach_every_word) {
     std::set<std::string> words;
     for (const TunePoint& point : result.points) words.insert(std::get<std::string>(point.values[0]));
     EXPECT_EQ(words.size(), 3u) << evaluations;
-    EXPECT_LE(result.points.size(), evaluations);
+    EXPECT_LE(result.evaluations, evaluations);
+    EXPECT_LE(result.points.size(), evaluations + 4) << "better ones that the scans found";
   }
   tuning.evaluations = 2;
   std::size_t measured = 0;
   EXPECT_THROW(tune_alone(tuning, measured), Error);
+}
+
+// Two evaluations see nothing of the valley; the scans along the axes lead into it.
+TEST(TuneSearch, A_much_better_point_that_a_scan_finds_is_the_best) {
+  Tuning tuning = tuning_of({{"shadow.constant-bias", "0:8texels"}, {"shadow.slope-bias", "0:4"}}, {7.0, 3.5},
+                            [](const std::vector<Value>& values) {
+                              return 1.0 + std::pow(to_number(values[0]) - 2.0, 2.0) + to_number(values[1]);
+                            });
+  tuning.evaluations = 2;
+  std::size_t measured = 0;
+  const TuneResult result = tune_alone(tuning, measured);
+  EXPECT_EQ(result.evaluations, 2u);
+  EXPECT_EQ(result.points.back().values, result.best.values);
+  EXPECT_LT(result.best.score.cost, 1.2);
+  for (const AxisScan& scan : result.scans) {
+    for (const TunePoint& point : scan.points) EXPECT_GE(point.score.cost, 0.95 * result.best.score.cost);
+  }
 }
 
 }  // namespace
