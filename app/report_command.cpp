@@ -199,8 +199,10 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     ReportSection section;
     section.title = "Parameters that differ";
     const Table table = differing_parameters(runs);
-    section.text = table.rows.empty() ? "All parameters are equal; the page of each run lists them under 'Settings'."
-                                      : "All others are equal; the page of each run lists them under 'Settings'.";
+    section.text =
+        table.rows.empty()
+            ? "All parameters of what is compared are equal; the page of each run lists them under 'Settings'."
+            : "All others are equal; the page of each run lists them under 'Settings'.";
     if (is_bias_another_length(runs)) {
       section.text += " The texels differ in size, so that one bias in texels can be another length in another run.";
     }

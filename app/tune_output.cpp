@@ -33,7 +33,7 @@ std::string bias_comment(const TuneSummary& summary) {
   if (!result.recommended) return {};
   return "# Its constant bias is the smallest with a cost within the range of the least and acne of at most 0.1 %.\n"
          "# The best point: " +
-         point_text(summary.axes, result.best.values) + ".\n";
+         point_text(summary.axes, result.best.values, digits_of_best(summary)) + ".\n";
 }
 
 // What compare runs: the given experiment with the values to use, over all lights and the first camera.

@@ -113,8 +113,8 @@ std::string no_ao_text(const Estimate& error, const Estimate& mean_truth, double
       draws_hardly_any || (error.lower >= hardly * without.upper && hardly * error.upper <= without.lower);
   if (!is_closer && !is_as_close)
     return fmt::format(
-        "no AO at all may be as close to the reference, or closer: its error is {}; more rays (--truth.spp) would tell",
-        percent(without));
+        "no AO at all may be as close to the reference{}: its error is {}; more rays (--truth.spp) would tell",
+        error.upper > without.lower ? ", or closer" : "", percent(without));
   return fmt::format("no AO at all would be {} to the reference: its error is {}",
                      is_closer ? "closer" : "about as close", percent(without));
 }

@@ -25,9 +25,6 @@ std::size_t index_in(const SweepAxis& axis, const Value& value) {
   return static_cast<std::size_t>(std::ranges::find(axis.values, value) - axis.values.begin());
 }
 
-// The size of a light is not there to be optimised: another one has another reference.
-bool changes_reference(const std::string& key) { return key.starts_with("light.") || key.starts_with("truth."); }
-
 // The value next to an end of the axis, towards its middle.
 std::size_t neighbour_of_end(const std::vector<double>& numbers, std::size_t end) {
   std::vector<std::size_t> order(numbers.size());

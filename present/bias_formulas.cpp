@@ -68,7 +68,7 @@ std::string errors_text(const BiasFormula& formula) {
     if (printed_term(formula, which)) {
       printed += fmt::format("{}{} {}", printed.empty() ? "standard errors: " : ", ", what, error);
     } else {
-      left_out += fmt::format("{}the {}, 0 within its standard error of {}, is left out", left_out.empty() ? "" : "; ",
+      left_out += fmt::format("{}the {} rounds to 0 (standard error {}) and is left out", left_out.empty() ? "" : "; ",
                               what, error);
     }
   };

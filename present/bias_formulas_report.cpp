@@ -313,8 +313,8 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     const bool is_off_axis = std::ranges::any_of(
         curves.formulas, [](const CurveFormula& of) { return of.points.size() + of.left_out >= 3 && of.left_out > 0; });
     const std::string text = fmt::format(
-        "no formula for the bias over {}: too few combinations that differ in texel size, Δz, filter radius or depth "
-        "step have such a bias inside the axis; of {} needed there are {}{}",
+        "no formula for the bias over {}: each needs {} combinations that differ in texel size, Δz, filter radius or "
+        "depth step and whose bias lies inside the axis; there are {}{}",
         names_of(curves.formula_axes), needed, counts,
         is_off_axis ? "; others have none there, or theirs may lie beyond its end" : "");
     section.text += fmt::format("\n\nThere is {}. {}.", text,

@@ -157,7 +157,7 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
       "The 95 % confidence intervals account for the sampling noise of the reference. The interval of a single pixel "
       "is ± {} % on average and ± {} % at most{}, with {:.0f} {} per pixel on average.",
       digits_text(100.0 * precision.mean_half_width, 2), digits_text(100.0 * precision.worst_half_width, 2),
-      is_over_pixel ? ", where few of a pixel's points see the surface of its centre" : "", precision.mean_samples,
+      is_over_pixel ? ", in a pixel of whose points few lie on the surface at its centre" : "", precision.mean_samples,
       is_over_pixel ? "points" : "rays");
   if (truth.tolerance > 0.0) {
     text += fmt::format(

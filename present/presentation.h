@@ -74,10 +74,10 @@ bool measures_edges(const std::string& names);
 inline constexpr const char* one_bias_warning =
     "each filter needs its own bias, but all have the same constant bias: vary shadow.constant-bias, too";
 
-/// Of a sweep over lights, cameras or scenes.
-inline constexpr const char* pixels_warning =
-    "errors of different lights, cameras or scenes are of different pixels and do not show which of them is better: "
-    "compare the cells of one";
+/// Of a sweep that varies_reference().
+inline constexpr const char* references_warning =
+    "errors of different lights, cameras, scenes or references do not show which of them is better: compare the cells "
+    "of one";
 
 /// Why statistics count no pixel: "nothing to measure: all 230400 pixels are background". Empty if they count some.
 std::string nothing_counted_text(const CountedPixels& counted);

@@ -240,9 +240,10 @@ Table comparison_rows(const std::vector<StoredRun>& runs, const std::vector<Comp
 std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
                                             const std::vector<ComparedStatistic>& compared) {
   std::vector<std::string> answers;
-  bool shows_noise = false;
+  std::string noisy;  // what has such intervals: "lamp, AO"
   for (const ComparedStatistic& each : compared) {
     if (each.name != error_statistic) continue;
+    bool shows_noise = false;
     const std::string what = each.light.empty() ? (each.kind == "ao" ? "AO" : each.kind) : each.light;
     for (const ComparedValue& value : each.values) {
       const char* cell = runs[value.run].command == "sweep" ? ", cell of least error" : "";
@@ -264,12 +265,14 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
       shows_noise = shows_noise || (value.noise > 0.0 && (is_range(own) || (is_compared && is_range(difference))));
       answers.push_back(std::move(line));
     }
+    if (shows_noise) noisy += (noisy.empty() ? "" : ", ") + what;
   }
-  if (shows_noise) {
-    answers.emplace_back(
-        "the noise of a sampled reference can only raise an error: an interval 'A to B' of such an error reaches down "
-        "to "
-        "what it would be without noise; more rays (--truth.spp) shorten it");
+  if (!noisy.empty()) {
+    answers.push_back(
+        fmt::format("the noise of its sampled reference can only raise the error of {0}: an interval 'A to B' of {0} "
+                    "reaches down to "
+                    "what the error would be without noise; more rays (--truth.spp) shorten it",
+                    noisy));
   }
   for (const StoredRun& run : runs) {
     const auto of_ao = [&](std::string_view name) {

@@ -313,7 +313,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   section.headlines = {{headline, error, cell_text(sweep, least)},
                        {"cells", std::to_string(sweep.plan.cells), "one row each in sweep.csv"}};
   std::vector<std::string> warnings = to_lines(open_ends);
-  if (varies_pixels(sweep.plan.axes)) warnings.emplace_back(pixels_warning);
+  if (varies_reference(sweep.plan.axes)) warnings.emplace_back(references_warning);
   if (sweep.quantity() == SweptQuantity::visibility && needs_biases(sweep.plan.axes))
     warnings.emplace_back(one_bias_warning);
   const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);

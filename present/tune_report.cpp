@@ -58,10 +58,12 @@ std::string comparison(const TuneSummary& summary, const char* what, const TuneP
                        const std::optional<Estimate>& difference) {
   const TuneGoal& goal = summary.goal;
   const TunePoint& best = summary.result.best;
-  const bool breaks = best.score.is_kept() && !other.score.is_kept();
+  const bool breaks = !other.score.is_kept();
   return fmt::format("{}, {}: {}{}; {}", what, point_text(summary.axes, other.values),
                      cost_text(goal, other.score.cost),
-                     breaks ? ", but breaks a constraint that the best point keeps" : "",
+                     !breaks                ? ""
+                     : best.score.is_kept() ? ", but breaks a constraint that the best point keeps"
+                                            : " (breaks constraints" + broken_text(goal, other, summary.cases) + ")",
                      judged(goal, "the best point", difference, best.score.cost - other.score.cost));
 }
 
@@ -127,7 +129,7 @@ Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& fron
 std::string constraint_line(const TuneSummary& summary) {
   if (summary.goal.constraints.empty()) return {};
   if (!summary.result.best.score.is_kept())
-    return "no point keeps every constraint in every case; this one breaks them least" +
+    return "no point on the axes keeps every constraint in every case; this one breaks them least" +
            broken_text(summary.goal, summary.result.best, summary.cases);
   return "every constraint is kept in every case of the search";
 }
@@ -233,9 +235,7 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
         has_cases ? " in every case of the search" : ""));
     best = std::string("best point, of least cost") + where_kept;
   }
-  std::string best_values = point_text(summary.axes, result.best.values);
-  if (result.recommended && point_text(summary.axes, result.recommended->values) == best_values)
-    best_values = point_text(summary.axes, result.best.values, 5);
+  const std::string best_values = point_text(summary.axes, result.best.values, digits_of_best(summary));
   // With the digits of the other points, so that it reads as the smallest.
   const std::string plain = cost_text(goal, result.best.score.cost);
   const std::string range = cost_text(goal, result.best.score.cost, summary.judgement.best);

@@ -125,7 +125,7 @@ Table sensitivity_table(const TuneSummary& summary) {
       {{"parameter", "", "varied; the others keep their best values"},
        {"axis", "", "values that were allowed"},
        {"best", "", "value of least cost"},
-       {"within " + tolerance_text(summary), "",
+       {"within " + tolerance_text(summary) + (summary.goal.constraints.empty() ? "" : ", constraints kept"), "",
         "range around it in which the cost is at most so much higher" +
             (summary.result.limit.is_by_pixels
                  ? fmt::format(" ({} of all counted pixels, which is more than 5 %)", chance_pixels)
@@ -136,7 +136,8 @@ Table sensitivity_table(const TuneSummary& summary) {
       {}};
   for (const AxisScan& scan : summary.result.scans) {
     const TuneAxis& axis = summary.axes[scan.axis];
-    table.rows.push_back({axis.key(), axis.axis.text, value_text(axis, summary.result.best.values[scan.axis]),
+    table.rows.push_back({axis.key(), axis.axis.text,
+                          value_text(axis, summary.result.best.values[scan.axis], digits_of_best(summary)),
                           good_values_text(summary, scan), worst_text(summary, scan)});
   }
   return table;

@@ -22,7 +22,8 @@ std::string tolerance_text(const TuneSummary& summary) {
   const PlateauLimit& limit = summary.result.limit;
   // One pixel counts more in the mean of the cases where its case has fewer.
   if (limit.is_by_pixels && summary.cases.size() > 1)
-    return digits_text(100.0 * (limit.error - summary.result.best.score.cost), 2) + " percentage points";
+    return digits_text(100.0 * (limit.error - summary.result.best.score.cost), 2) +
+           " percentage points (three of all pixels)";
   return tolerance_text(limit.is_by_pixels);
 }
 
@@ -118,6 +119,19 @@ std::string broken_text(const TuneGoal& goal, const TunePoint& point, const std:
                         cases[static_cast<std::size_t>(worst - point.cases.begin())]);
   }
   return text;
+}
+
+int digits_of_best(const TuneSummary& summary) {
+  const TuneResult& result = summary.result;
+  if (result.recommended &&
+      point_text(summary.axes, result.recommended->values) == point_text(summary.axes, result.best.values)) {
+    return 5;
+  }
+  const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
+  if (!result.plateau || axis == summary.axes.end()) return 3;
+  const double best = to_number(result.best.values[static_cast<std::size_t>(axis - summary.axes.begin())]);
+  const double shown = std::stod(fmt::format("{:.3g}", halves_up(best)));
+  return shown < result.plateau->first.constant || shown > result.plateau->last.constant ? 5 : 3;
 }
 
 std::string held_text(const TuneGoal& goal, const TunePoint& point, const std::vector<std::string>& cases) {

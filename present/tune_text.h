@@ -36,6 +36,10 @@ std::string tolerance_text(const TuneSummary& summary);
 
 /// "constant-bias 2.4 texels, slope-bias 0.8".
 std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values, int digits = 3);
+
+/// Digits of the best point's values: more than three where its bias would else read as the recommended one, or as
+/// outside its own range.
+int digits_of_best(const TuneSummary& summary);
 std::string value_text(const TuneAxis& axis, const Value& value, int digits = 3);
 
 /// " (breaks a constraint)" or nothing.

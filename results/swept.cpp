@@ -58,10 +58,12 @@ bool needs_biases(const std::vector<SweepAxis>& axes) {
   });
 }
 
-bool varies_pixels(const std::vector<SweepAxis>& axes) {
+bool changes_reference(std::string_view key) { return key.starts_with("light.") || key.starts_with("truth."); }
+
+bool varies_reference(const std::vector<SweepAxis>& axes) {
   constexpr std::array<std::string_view, 3> keys = {"view.light", "view.camera", "view.scene"};
   return std::ranges::any_of(axes, [&](const SweepAxis& axis) {
-    return axis.values.size() != 1 && std::ranges::find(keys, axis.key) != keys.end();
+    return axis.values.size() != 1 && (changes_reference(axis.key) || std::ranges::find(keys, axis.key) != keys.end());
   });
 }
 

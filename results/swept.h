@@ -24,8 +24,12 @@ bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group);
 bool varies_filter(const std::vector<SweepAxis>& axes);
 /// Whether an axis varies the reach of the filter, while the constant bias stays the same.
 bool needs_biases(const std::vector<SweepAxis>& axes);
-/// Whether an axis selects the light, camera or scene, so that the cells count different pixels.
-bool varies_pixels(const std::vector<SweepAxis>& axes);
+
+/// Whether the parameter changes the reference: the size of a light is not there to be optimised.
+bool changes_reference(std::string_view key);
+
+/// Whether an axis changes which pixels or which reference an error is of, so that errors along it cannot be compared.
+bool varies_reference(const std::vector<SweepAxis>& axes);
 
 /// The quantity that the axes affect, unless `given` selects one. Throws Error (usage) if they vary
 /// both shadows and AO.

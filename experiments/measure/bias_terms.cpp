@@ -91,8 +91,8 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
     reason =
-        "its bias has another length at each distance from the light, and on this map no unit of shadow.constant-bias "
-        "varies likewise";
+        "its bias is another length at each distance from the light, and our bias has no unit that changes so for this "
+        "map";
     if (layout.kind == MapKind::perspective && layout.encoded_near == 0.0)
       reason += "; with --shadow.depth-encoding perspective a bias in the map's depth does";
     return {};

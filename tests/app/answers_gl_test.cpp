@@ -352,8 +352,9 @@ TEST_F(Answers, Errors_of_several_lights_are_not_ranked) {
                         "--force"})
         .out;
   };
-  const char* warning = "warning: errors of different lights, cameras or scenes are of different pixels";
+  const char* warning = "warning: errors of different lights, cameras, scenes or references do not show";
   expect_words(sweep("view.light=sun,spot"), {warning});
+  expect_words(sweep("light.angle=0,2"), {warning});
   EXPECT_EQ(sweep("shadow.resolution=256,512").find(warning), std::string::npos);
 }
 

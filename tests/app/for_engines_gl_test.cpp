@@ -313,15 +313,18 @@ TEST_F(ForEngines, What_an_engine_draws_otherwise_than_the_run_is_said_with_the_
                              more))
         .out;
   };
-  expect_words(lines({"--for", "three"}),
-               {"note: three: it casts back faces: the bias was searched again for this and is ",
-                " of our map; the errors are those of the numbers shown, with a map drawn that way"});
+  expect_words(
+      lines({"--for", "three"}),
+      {"note: three: it casts back faces of single-sided surfaces: the bias was searched again for this and is ",
+       " of our map; the errors are those of the numbers shown, with a map drawn that way"});
   const std::string set = lines({"--for", "three", "--shadow.faces", "back"});
   EXPECT_EQ(set.find("it casts"), std::string::npos) << set;
   EXPECT_EQ(lines({"--for", "three:shadowSide=double"}).find("it casts"), std::string::npos);
   // Filament has both.
   const std::string filament = lines({"--for", "filament", "--shadow.faces", "back"});
-  expect_words(filament, {"note: filament: it casts front faces and adds polygon offset factor 0, units 0.5: "});
+  expect_words(
+      filament,
+      {"note: filament: it casts front faces of single-sided surfaces and adds polygon offset factor 0, units 0.5: "});
 }
 
 TEST_F(ForEngines, A_sweep_and_a_tuning_state_their_best_bias) {

@@ -42,7 +42,7 @@ TEST(TuneSensitivity, A_range_by_pixels_is_a_share_of_them_where_several_cases_a
   EXPECT_EQ(of_one.columns[3].name, "within 3 wrong pixels");
   EXPECT_EQ(to_string(of_one.rows[0][3]), "2 to 4 texels (upper end of the axis); no longer at 0 texels");
   summary.cases = {"sun", "lamp"};
-  EXPECT_EQ(sensitivity_table(summary).columns[3].name, "within 0.30 percentage points");
+  EXPECT_EQ(sensitivity_table(summary).columns[3].name, "within 0.30 percentage points (three of all pixels)");
 }
 
 }  // namespace
