@@ -106,15 +106,17 @@ std::string no_ao_text(const Estimate& error, const Estimate& mean_truth, double
   const Estimate without = without_ao(mean_truth);
   constexpr double hardly = 0.99;  // within 1 % both are about equal
   if (!(error.upper >= hardly * without.lower)) return {};
-  const bool is_closer = hardly * error.lower > without.upper;
   // In no pixel do the two errors differ by more than the AO that is drawn.
   const bool draws_hardly_any = 1.0 - mean_raster <= (1.0 - hardly) * without.value;
   const bool is_as_close =
       draws_hardly_any || (error.lower >= hardly * without.upper && hardly * error.upper <= without.lower);
-  if (!is_closer && !is_as_close)
+  const bool is_closer = !is_as_close && error.lower > without.upper;
+  if (!is_closer && !is_as_close) {
+    if (error.upper < without.lower) return {};
     return fmt::format(
-        "no AO at all may be as close to the reference{}: its error is {}; more rays (--truth.spp) would tell",
-        error.upper > without.lower ? ", or closer" : "", percent(without));
+        "no AO at all may be as close to the reference, or closer: its error is {}; more rays (--truth.spp) would tell",
+        percent(without));
+  }
   return fmt::format("no AO at all would be {} to the reference: its error is {}",
                      is_closer ? "closer" : "about as close", percent(without));
 }

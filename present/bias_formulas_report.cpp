@@ -235,6 +235,7 @@ PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& sett
 }
 
 // The ranges of the formulas of one setting: once where all have the same.
+// "fitted over ...", or for each range "Least error: fitted over ..." where they differ; without the last full stop.
 std::string ranges_of(const std::vector<const CurveFormula*>& formulas) {
   std::vector<std::pair<std::string, std::string>> ranges;  // text, names
   for (const CurveFormula* of : formulas) {
@@ -247,8 +248,8 @@ std::string ranges_of(const std::vector<const CurveFormula*>& formulas) {
       found->second += std::string(", ") + name_of(*of);
     }
   }
-  if (ranges.size() == 1) return sentence(ranges.front().first) + ".";
-  return joined(ranges, " ", [](const auto& each) { return sentence(each.second) + ": " + each.first + "."; });
+  if (ranges.size() == 1) return ranges.front().first;
+  return joined(ranges, "; ", [](const auto& each) { return each.second + ": " + each.first; });
 }
 
 Json range_json(const FormulaRange& range) { return {range.min, range.max}; }
@@ -310,15 +311,17 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     std::string counts;
     for (std::size_t f = 0; f < formula_names.size(); ++f)
       counts += fmt::format("{}{} for {}", counts.empty() ? "" : ", ", most[f], formula_names[f]);
-    const bool is_off_axis = std::ranges::any_of(
-        curves.formulas, [](const CurveFormula& of) { return of.points.size() + of.left_out >= 3 && of.left_out > 0; });
+    // Combinations that differ, and have no bias inside the axis.
+    const bool is_off_axis = std::ranges::any_of(curves.formulas, [](const CurveFormula& of) {
+      return of.left_out > 0 && support_of(of.points).independent == of.points.size() &&
+             of.points.size() + of.left_out >= 3;
+    });
     const std::string text = fmt::format(
-        "no formula for the bias over {}: each needs {} combinations that differ in texel size, Δz, filter radius or "
-        "depth step and whose bias lies inside the axis; there are {}{}",
+        "no formula for the bias over {}: one needs {} combinations that differ in texel size, Δz, filter radius or "
+        "depth step and whose bias lies inside the axis; there are {}; {}",
         names_of(curves.formula_axes), needed, counts,
-        is_off_axis ? "; others have none there, or theirs may lie beyond its end" : "");
-    section.text += fmt::format("\n\nThere is {}. {}.", text,
-                                is_off_axis ? "Extend the axis of the bias" : "Vary more values of these parameters");
+        is_off_axis ? "extend the axis of the bias" : "vary more values, such as more resolutions");
+    section.text += "\n\nThere is " + text + ".";
     presentation.lines.push_back(text);
     return;
   }
@@ -357,12 +360,12 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
       section.text += "\n\n" + sentence(line) + ".";
       if (is_first) presentation.lines.push_back(line);
     }
-    if (any != nullptr) section.text += "\n\n" + ranges_of(formulas);
+    if (any != nullptr) section.text += "\n\n" + sentence(ranges_of(formulas)) + ".";
     for (const std::string& reason : remarks_on(formulas, refused_of))
       section.text += "\n\nLeft out of the " + reason + ".";
     if (any != nullptr) {
       const std::string used = symbols_text(formulas);
-      if (is_first) presentation.lines.push_back("  " + used + (used.empty() ? "" : "; ") + ranges_text(*any));
+      if (is_first) presentation.lines.push_back("  " + used + (used.empty() ? "" : "; ") + ranges_of(formulas));
     }
     for (const std::string& warning : remarks_on(formulas, warnings_of)) {
       section.text += "\n\nWarning: " + at + warning + ".";

@@ -51,7 +51,7 @@ std::string engine_error_text(const EngineAdvice& advice) {
   }
   const std::string after = usual.empty() ? "" : "; " + usual;
   if (!is_complete(advice.target)) return no_number_text(advice) + after;
-  if (!advice.measured) return "error not measured: " + advice.why_not_measured + after;
+  if (!advice.measured) return "error with the numbers below not measured: " + advice.why_not_measured + after;
   const std::string set = fmt::format("with the numbers below, rounded up, error {}{}", percent(advice.measured->mae),
                                       acne_of(*advice.measured));
   return keeps_default ? usual + "; " + set : set + after;

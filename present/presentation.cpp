@@ -154,11 +154,11 @@ std::string offset_text(const TraceStatistics& statistics) {
 std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth, bool is_over_pixel) {
   if (precision.pixels == 0) return {};
   std::string text = fmt::format(
-      "The 95 % confidence intervals account for the sampling noise of the reference. The interval of a single pixel "
-      "is ± {} % on average and ± {} % at most{}, with {:.0f} {} per pixel on average.",
-      digits_text(100.0 * precision.mean_half_width, 2), digits_text(100.0 * precision.worst_half_width, 2),
-      is_over_pixel ? ", in a pixel of whose points few lie on the surface at its centre" : "", precision.mean_samples,
-      is_over_pixel ? "points" : "rays");
+      "The 95 % confidence intervals account for the sampling noise of the reference. With {:.0f} {} per pixel on "
+      "average, the interval of a single pixel is ± {} % on average and ± {} % at most{}.",
+      precision.mean_samples, is_over_pixel ? "points" : "rays", digits_text(100.0 * precision.mean_half_width, 2),
+      digits_text(100.0 * precision.worst_half_width, 2),
+      is_over_pixel ? "; it is large where few of the points lie on the surface that the pixel's centre shows" : "");
   if (truth.tolerance > 0.0) {
     text += fmt::format(
         " {} of {} pixels stopped at truth.max-spp ({} rays) before they reached the tolerance of ± {:g} %.",

@@ -161,15 +161,18 @@ bool compares_filters(const std::vector<StoredRun>& runs, const std::vector<Comp
       return !is_filter || std::ranges::find(runs[value.run].parameters, parameter) != runs[value.run].parameters.end();
     });
   };
-  // Of PCF, or of a technique without taps.
-  const auto is_against_hard = [&](const ComparedStatistic& of) {
+  // Causes of PCF, or the parts of a technique without taps.
+  const auto is_against_hard = [&](std::size_t run, const ComparedStatistic& of) {
     return std::ranges::any_of(compared, [&](const ComparedStatistic& each) {
-      return are_of_one_part(each, of) && (each.name == "acne" || each.name == "too_dark_away");
+      return are_of_one_part(each, of) && (each.name == "acne" || each.name == "too_dark_away") &&
+             std::ranges::find(each.values, run, &ComparedValue::run) != each.values.end();
     });
   };
   return std::ranges::any_of(compared, [&](const ComparedStatistic& each) {
-    return each.name == error_statistic && each.values.front().run == 0 && is_against_hard(each) &&
-           !std::ranges::all_of(each.values, has_filter_of_first);
+    return each.name == error_statistic && each.values.front().run == 0 && is_against_hard(0, each) &&
+           std::ranges::any_of(each.values, [&](const ComparedValue& value) {
+             return !has_filter_of_first(value) && is_against_hard(value.run, each);
+           });
   });
 }
 

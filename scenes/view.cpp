@@ -56,7 +56,7 @@ std::size_t select(const std::vector<Named>& items, const std::string& wanted, c
   std::iota(all.begin(), all.end(), std::size_t{0});
   const std::string remedy = items.empty() ? "omit --" + kind + " to use a default " + kind
                              : wanted == "all"
-                                 ? "a sweep lists them: --vary view." + kind + "=" +
+                                 ? "in a sweep write their numbers: --vary view." + kind + "=" +
                                        joined(all, ",", [](std::size_t i) { return std::to_string(i); })
                                  : "it has " + listed(items, all) + ": give an index or a name, or omit --" + kind;
   throw Error(ExitCode::usage, what, "the scene has no such " + kind, remedy);

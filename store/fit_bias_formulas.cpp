@@ -130,9 +130,9 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
   if (!of.formula) {
     // Without any point the combinations left out are the reason.
     if (!of.points.empty()) {
+      const FormulaSupport support = support_of(of.points);
       of.warnings.push_back(
-          fmt::format("not fitted: {} not enough",
-                      of.points.size() == 1 ? "1 point is" : std::to_string(of.points.size()) + " points are"));
+          fmt::format("not fitted: {} independent points of {} needed", support.independent, support.needed));
     }
     return;
   }

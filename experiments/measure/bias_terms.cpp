@@ -90,9 +90,7 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
-    reason =
-        "its bias is another length at each distance from the light, and our bias has no unit that changes so for this "
-        "map";
+    reason = "they are another length at each distance from the light, which our bias cannot be on this map";
     if (layout.kind == MapKind::perspective && layout.encoded_near == 0.0)
       reason += "; with --shadow.depth-encoding perspective a bias in the map's depth does";
     return {};

@@ -82,7 +82,7 @@ TEST_F(AreaLightRun, Stops_each_pixel_at_the_tolerance_and_tells_how_well_it_is_
   EXPECT_NEAR(samples / truth["pixels"].get<double>(), truth["mean_samples"].get<double>(), 1e-6);
   const std::string page = text_of(folder_ / "out/index.html");
   EXPECT_NE(page.find("offset of at most"), std::string::npos);
-  EXPECT_NE(page.find("rays per pixel on average"), std::string::npos);
+  EXPECT_NE(page.find("rays per pixel on average, the interval"), std::string::npos);
   // What it cost is on stderr alone: files of equal runs are equal.
   for (const char* part : {" triangles; built in ", " shadow rays in ", " hemisphere rays in ", " Mray/s",
                            "offset at most ", "peak memory "}) {
