@@ -222,8 +222,7 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     if (part.has_noise) {
       section.text +=
           " This noise can only raise an absolute error. The intervals of errors and of their differences are "
-          "therefore "
-          "wider, so that they also contain what a reference without noise would give.";
+          "therefore wider, so that they also contain what a reference without noise would give.";
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=

@@ -122,10 +122,8 @@ Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& 
   section.text = fmt::format(
       "Each stage changes one thing on the way from the reference to the technique's result. The signed means of the "
       "stages add up to the total.\n\nThe method's integral: {}.\n\nThe stages from 'model' to 'thin' use the same "
-      "rays, {} per "
-      "pixel. Means are of accessibility, in per cent; images show it from 0 to 1. The stage 'approximation' shows the "
-      "mean of {} draws with at "
-      "least 1024 samples each.",
+      "rays, {} per pixel. Means are of accessibility, in per cent; images show it from 0 to 1. The stage "
+      "'approximation' shows the mean of {} draws with at least 1024 samples each.",
       stages.integral, ao.experiment.truth.spp, stages.many_draws);
   WaterfallFigure waterfall = ao_stages_waterfall(statistics);
   waterfall.conditions = fmt::format("{}, radius {}, reference rays {}", title_of(make_technique(ao.experiment.ao)),

@@ -174,8 +174,7 @@ void note_casters_cut_off(Stages& stages, const ShadowMeasurement& shadow, const
     if (!(share > little_acne_share)) return;
     stages.add_notes(
         {fmt::format("{}: an error of {}, a part of the light leak, comes from casters {} the light than {}, {}: the "
-                     "map leaves them "
-                     "out, whatever the bias; {} it",
+                     "map leaves them out, whatever the bias; {} it",
                      stages.title(shadow.light), percent(share), side, plane, metres_text(depth), remedy)});
   };
   add_note(before, "nearer to", "shadow.depth-near", encoded.encoded_near, "lower");
