@@ -130,7 +130,7 @@ Statistics describe(SeamStatistics& s) {
 Statistics describe(FitShimmer& s) {
   return StatisticsDescription()
       .field("step", s.step, "m",
-             "length of each move of the camera, 2.3 texels of the finest view: right, up and forward")
+             "length of each move of the camera, a few texels of the finest view: right, up and forward")
       .field("pixels", s.pixels, "px", "compared pixels, over all moves")
       .field("mean_change", s.mean_change, "1", "mean |change of visibility| at the same surfels")
       .field("largest_change", s.largest_change, "1", "mean |change| of the worst move")

@@ -312,9 +312,9 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     for (std::size_t f = 0; f < formula_names.size(); ++f)
       counts += fmt::format("{}{} for {}", counts.empty() ? "" : ", ", most[f], formula_names[f]);
     // Combinations that differ, and have no bias inside the axis.
-    const bool is_off_axis = std::ranges::any_of(curves.formulas, [](const CurveFormula& of) {
+    const bool is_off_axis = std::ranges::any_of(curves.formulas, [&](const CurveFormula& of) {
       return of.left_out > 0 && support_of(of.points).independent == of.points.size() &&
-             of.points.size() + of.left_out >= 3;
+             of.points.size() + of.left_out >= needed;
     });
     const std::string text = fmt::format(
         "no formula for the bias over {}: one needs {} combinations that differ in texel size, Δz, filter radius or "

@@ -273,8 +273,7 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
   if (!noisy.empty()) {
     answers.push_back(
         fmt::format("the noise of its sampled reference can only raise the error of {0}: an interval 'A to B' of {0} "
-                    "reaches down to "
-                    "what the error would be without noise; more rays (--truth.spp) shorten it",
+                    "reaches down to what the error would be without noise; more rays (--truth.spp) shorten it",
                     noisy));
   }
   for (const StoredRun& run : runs) {

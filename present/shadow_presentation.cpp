@@ -154,7 +154,7 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   add_error_figure(presentation, scene, layers, shadow);
   const bool is_over_pixel = shadow.experiment.truth.shadow == ShadowReference::pixel;
   const std::string extent = extent_text(shadow.emitter);
-  const char* const half_lit = extent.empty() ? "partly lit" : "penumbra";
+  const char* const penumbra_name = extent.empty() ? "partly lit" : "penumbra";
   section.text += is_over_pixel ? fmt::format("\n\nThe reference is the mean over each pixel{} (truth.shadow pixel)",
                                               extent.empty() ? "" : " and over the light")
                                 : "\n\nThis is an area light. Its reference is the visible share of the light";
@@ -177,7 +177,7 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       {"too dark", percent(s.error.too_dark), "part where the technique is darker than the reference"},
       {"too bright", percent(s.error.too_bright), "part where the technique is brighter than the reference"},
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
-      {half_lit, percent(s.penumbra), "mean of 4V(1 − V) over the counted pixels, V the reference"},
+      {penumbra_name, percent(s.penumbra), "mean of 4V(1 − V) over the counted pixels, V the reference"},
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
@@ -187,7 +187,8 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       "{}: error {}{} against {}; too dark {}, too bright {}; {} {} (mean of 4V(1 − V), V the visibility of the "
       "reference){}",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels), is_over_pixel ? of_pixel : soft,
-      percent(s.error.too_dark), percent(s.error.too_bright), half_lit, percent(s.penumbra), no_advice_text(shadow)));
+      percent(s.error.too_dark), percent(s.error.too_bright), penumbra_name, percent(s.penumbra),
+      no_advice_text(shadow)));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {

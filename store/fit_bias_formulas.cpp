@@ -132,7 +132,7 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
     if (!of.points.empty()) {
       const FormulaSupport support = support_of(of.points);
       of.warnings.push_back(
-          fmt::format("not fitted: {} independent points of {} needed", support.independent, support.needed));
+          fmt::format("not fitted: it needs {} independent points and has {}", support.needed, support.independent));
     }
     return;
   }
