@@ -25,15 +25,17 @@ ExitCode update(const CheckOptions& options, const std::vector<MeasuredStatistic
   std::error_code error;
   const bool is_new = !std::filesystem::exists(options.budget, error);
   if (!is_new) budget = read_budget(options.budget);
+  const std::size_t before = budget.size();
   budget = update_budget(std::move(budget), measured);
+  const std::size_t added = budget.size() - before;
   write_budget(options.budget, budget);
   for (const std::string& text : gate_notes(budget, measured)) note(console, text);
   // Budgets that no run measured keep their bounds.
   std::size_t kept = 0;
   for (const GateCheck& check : check_budget(budget, measured)) kept += check.measured ? 0u : 1u;
   print_line(console, is_new ? fmt::format("{}: {} bounds written", options.budget.string(), budget.size())
-                             : fmt::format("{}: {} of {} bounds updated", options.budget.string(), budget.size() - kept,
-                                           budget.size()));
+                             : fmt::format("{}: {} of {} bounds updated{}", options.budget.string(), before - kept,
+                                           before, added > 0 ? fmt::format(", {} added", added) : std::string()));
   if (kept > 0) {
     note(console, kept == 1 ? "1 bound names nothing in these runs and was left as it is"
                             : fmt::format("{} bounds name nothing in these runs and were left as they are", kept));

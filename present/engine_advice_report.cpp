@@ -73,11 +73,15 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice, bool has_rema
   return lines;
 }
 
+bool is_of_distances(const EngineAdvice& advice) { return advice.target.places.front().name == nearest_receiver; }
+
 // How the engine differs from the run: "casts back faces and adds polygon offset factor 2.5, units 1".
 std::string own_drawing_text(const EngineAdvice& advice) {
   const BiasEngine& engine = *advice.target.spec.engine;
   std::vector<std::string> parts;
-  if (advice.is_in_metres) parts.emplace_back("takes the bias as one length for all distances");
+  if (advice.has_one_number)
+    parts.emplace_back(is_of_distances(advice) ? "has one number for all distances"
+                                               : "has one number for all cascades");
   if (advice.own_faces) {
     parts.push_back(fmt::format("casts {}", *advice.own_faces == CasterFaces::all ? "front and back faces"
                                             : *advice.own_faces == CasterFaces::back
@@ -137,7 +141,8 @@ std::vector<std::string> notes_of_advice(const EngineAdvice& advice) {
   std::string searched;
   if (is_complete(advice.target) && advice.own_bias) {
     searched = ": the bias was searched again for this and is " + length_text(*advice.own_bias) +
-               (advice.own_bias->unit == LengthUnit::texels ? " of our map" : "");
+               (advice.own_bias->unit == LengthUnit::texels ? " of our map" : "") +
+               (advice.has_one_number && !is_of_distances(advice) ? " in cascade 1" : "");
   }
   const std::string errors = advice.measured     ? "; the errors are those of the numbers shown"
                              : advice.by_default ? "; the error is that of its default numbers"

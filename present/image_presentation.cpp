@@ -134,7 +134,7 @@ Presentation present_image(const SceneFacts& scene, const LayeredImage& layers, 
   add_metrics_table(section, image.metrics);
   presentation.answers.push_back(
       fmt::format("image: error {} of white, {} over the pixels away from shadow edges; with the "
-                  "reference's input it falls by: {} (parts may overlap)",
+                  "reference's input it falls by, in per cent of white: {} (parts may overlap)",
                   percent(s.error.mae), percent(s.mae_off_edges), parts));
   if (!warning.empty()) {
     presentation.answers.push_back("warning: " + warning);

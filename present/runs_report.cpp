@@ -32,12 +32,16 @@ std::string interval_text(const Estimate& estimate, double scale) {
 // Marks an interval that does not cover the choice of pixels.
 constexpr const char* rays_only_mark = "*";
 
-std::string compared_text(const ComparedValue& value) {
+std::string printed_value(const ComparedValue& value) {
   const double scale = scale_of(value.measured.unit);
   const double number = value.measured.value;
   const bool is_count = value.measured.unit == "px" && number >= 0.0 && number == std::floor(number);
   if (is_count && !(value.half_width > 0.0)) return grouped(static_cast<std::uint64_t>(number));
-  return interval_text(estimate_of(value), scale) + (value.interval == IntervalOf::rays ? rays_only_mark : "");
+  return interval_text(estimate_of(value), scale);
+}
+
+std::string compared_text(const ComparedValue& value) {
+  return printed_value(value) + (value.interval == IntervalOf::rays ? rays_only_mark : "");
 }
 
 std::string difference_text(const ComparedValue& value) {
@@ -250,11 +254,12 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
     const std::string what = each.light.empty() ? (each.kind == "ao" ? "AO" : each.kind) : each.light;
     for (const ComparedValue& value : each.values) {
       const char* cell = runs[value.run].command == "sweep" ? ", cell of least error" : "";
-      const std::string own = compared_text(value);
+      const std::string own = printed_value(value);
       const std::string difference = interval_text(value.difference, 100.0);
-      std::string line =
-          fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, own,
-                      value.interval == IntervalOf::pixels ? " (95 % interval, over pixels and rays)" : "");
+      std::string line = fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, own,
+                                     value.interval == IntervalOf::pixels ? " (95 % interval, over pixels and rays)"
+                                     : value.interval == IntervalOf::rays ? " (95 % interval, over the rays only)"
+                                                                          : "");
       const bool is_compared = value.verdict != Verdict::base && value.verdict != Verdict::no_base;
       if (!is_compared && value.counted_blocks > 0) {
         line += " (no interval: " + few_blocks_text(value.counted_blocks) + ")";

@@ -105,9 +105,9 @@ PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const Plot
     const char* shown = has_line ? "Band" : "Bars, where longer than a point";
     plot.caption += plot.y.label.ends_with("bounds")
                         ? fmt::format(
-                              " {}: bounds that hold the error with at least 95 % confidence; the noise of the "
-                              "reference's rays raises the {}.",
-                              shown, has_line ? "line" : "points")
+                              " The noise of the reference's rays puts the {} too high; {} the error without it, with "
+                              "at least 95 % confidence.",
+                              has_line ? "line" : "points", has_line ? "the band holds" : "the bars hold")
                         : fmt::format(" {}: 95 % interval.", shown);
     plot.lower = lower_name(statistic.name);
     plot.upper = upper_name(statistic.name);

@@ -84,7 +84,8 @@ std::vector<std::string> ranking_lines(const TuneSummary& summary) {
     std::ranges::stable_sort(points, [](const ComparedPoint* one, const ComparedPoint* other) {
       return is_better(one->point.score, other->point.score);
     });
-    std::string line = name_of(summary.axes[a]) + (summary.axes.size() > 1 ? ", each at its own best point: " : ": ");
+    std::string line =
+        name_of(summary.axes[a]) + (summary.axes.size() > 1 ? ", each at the best point found with it: " : ": ");
     for (const ComparedPoint* each : points) {
       line += fmt::format("{}{} {}{}", each == points.front() ? "" : ", ",
                           value_text(summary.axes[a], each->point.values[a]),

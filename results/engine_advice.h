@@ -18,7 +18,7 @@ struct EngineAdvice {
   std::string why_not_measured{};          ///< which part of set_values() our parameters cannot say
   std::optional<CasterFaces> own_faces{};  ///< that cast in the engine, if others than in the run
   bool has_own_offset = false;             ///< it has another polygon offset than the run besides its numbers
-  bool is_in_metres = false;               ///< its bias is one length at all distances, the run's is none
+  bool has_one_number = false;             ///< for the bias at all places, where it is not in proportion to the run's
   /// Why it has no number for the run's normal offset, which is then left out; empty if it has one.
   std::string lost_offset{};
   double left_out_slope = 0.0;       ///< the run's shadow.slope-bias, which `measured` and `by_default` are without

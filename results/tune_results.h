@@ -53,8 +53,10 @@ struct TuneResult {
   std::vector<WordPoint> of_words;  ///< for each axis of words and each of its values that was evaluated
   std::string method;               ///< "all 12 combinations", "DIRECT-L, then subplex"
   std::size_t evaluations = 0;      ///< points of the search, without those that a scan found to be better
-  bool is_exact = false;            ///< the constant bias is measured at all values at once
-  std::string stopped_by{};         ///< "2.0 minutes"; empty if the search ended by itself or by evaluations
+  /// Of a search in combinations of words, the default: fewer may miss the best point with a word. 0 without words.
+  std::size_t usual_evaluations = 0;
+  bool is_exact = false;     ///< the constant bias is measured at all values at once
+  std::string stopped_by{};  ///< "2.0 minutes"; empty if the search ended by itself or by evaluations
 };
 
 /// A point beside the best one.

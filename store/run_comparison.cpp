@@ -187,11 +187,17 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
       limits.push_back(fmt::format("{}: {} of {}, {} of {}", what, value.empty() ? "none" : value, run.name,
                                    value_of(base.environment, what), base.name));
     }
+    const auto shares = [&](std::string_view kind) {
+      return std::ranges::any_of(base.statistics, [&](const MeasuredStatistic& each) {
+        return (each.kind == kind || each.kind == "image") && find_same(run, each) != nullptr;
+      });
+    };
     std::string other_reference;
     for (const auto& [key, value] : run.parameters) {
       const bool is_of_reference = key.starts_with("light.") || key == "truth.shadow" ||
                                    (key.starts_with("truth.ao-") && key != "truth.ao-layers");
-      if (is_of_reference && value != value_of(base.parameters, key)) {
+      if (is_of_reference && value != value_of(base.parameters, key) &&
+          shares(key.starts_with("truth.ao-") ? "ao" : "shadow")) {
         other_reference += (other_reference.empty() ? "" : ", ") + key;
       }
     }

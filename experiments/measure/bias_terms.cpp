@@ -92,7 +92,7 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
     reason = "they are another length at each distance from the light, which our bias cannot be on this map";
     if (layout.kind == MapKind::perspective && layout.encoded_near == 0.0)
-      reason += "; with --shadow.depth-encoding perspective a bias in the map's depth does";
+      reason += "; --shadow.depth-encoding perspective makes such a bias possible";
     return {};
   }
   const AtPlaces normal(places, terms, &BiasTerms::normal);

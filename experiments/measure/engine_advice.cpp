@@ -27,7 +27,7 @@ class EnginesOfLight {
         experiment_(each.experiment),
         recommended_(each.recommended),
         light_(each.light),
-        layout_(with_depth_encoding(*stages_.layout(experiment_, light_), experiment_.shadow.map_depth)),
+        layout_(layout_of(experiment_)),
         places_(places_of(stages_.light(experiment_, light_), layout_, stages_.surfels(experiment_)->gbuffer)) {}
 
   // The numbers; measure() completes them.
@@ -50,6 +50,10 @@ class EnginesOfLight {
   bool is_same_light(const EnginesOfLight& other) const { return &stages_ == &other.stages_ && light_ == other.light_; }
 
  private:
+  MapLayout layout_of(const Experiment& experiment) const {
+    return with_depth_encoding(*stages_.layout(experiment, light_), experiment.shadow.map_depth);
+  }
+
   // As the engine draws besides its numbers: nothing of that is the run's own, which may be a preset of another engine.
   // A unit draws as the run does.
   void draw_as(MapDepthParams& depth, const BiasSpec& target) const {
@@ -65,7 +69,7 @@ class EnginesOfLight {
   // What the engine's numbers have to do: its own polygon offset and constant bias are there without them, and a unit's
   // other parts are ours.
   std::vector<BiasTerms> terms_in(const Experiment& drawn, const BiasSpec& target) const {
-    std::vector<BiasTerms> terms = terms_of(drawn, layout_, places_);
+    std::vector<BiasTerms> terms = terms_of(drawn, layout_of(drawn), places_);
     const std::vector<MapPlace> own = places_for(target, places_);
     for (std::size_t i = 0; i < terms.size(); ++i) {
       BiasTerms& each = terms[i];
@@ -90,21 +94,32 @@ class EnginesOfLight {
     return "it has no normal offset";
   }
 
-  // Whether one number for the constant bias is the same length at each place. A unit is converted as it is.
-  bool is_one_length(const BiasSpec& target) const {
-    if (target.engine->is_unit) return false;
-    const std::vector<MapPlace> own = places_for(target, places_);
+  // Our constant bias as an engine has it that sets one number for all places: the same at each of them up to a factor.
+  // Nothing if `drawn` has it so, or none of ours is. A unit is converted as it is.
+  std::optional<Experiment> with_one_number(const Experiment& drawn, const BiasSpec& target) const {
+    if (target.engine->is_unit || sets_each_place({target, places_, {}})) return {};
     BiasSpec one = target;
     for (std::size_t n = 0; n < one.numbers.size(); ++n) {
       one.numbers[n] = one.engine->numbers[n].term == BiasTerm::constant ? 1.0 : 0.0;
     }
-    const auto metres_at = [&](const MapPlace& place) {
-      return has_terms(one, place) ? umbrameter::terms_of(one, place).constant : 0.0;
-    };
-    const double first = metres_at(own.front());
-    return first != 0.0 && std::ranges::all_of(own, [&](const MapPlace& place) {
-             return std::abs(metres_at(place) - first) <= 1e-9 * std::abs(first);
-           });
+    Experiment of_one = drawn;
+    of_one.shadow.bias.constant.number = 1.0;
+    const std::vector<BiasTerms> ours = umbrameter::terms_of(of_one, layout_, places_);
+    const std::vector<MapPlace> own = places_for(target, places_);
+    std::vector<BiasTerms> terms(own.size());
+    bool is_same = true;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (has_terms(one, own[i])) terms[i].constant = std::abs(umbrameter::terms_of(one, own[i]).constant);
+      if (terms[i].constant == 0.0) return {};
+      const double factor = terms[i].constant / terms[0].constant * ours[0].constant / ours[i].constant;
+      is_same = is_same && std::abs(factor - 1.0) <= 1e-9;
+    }
+    std::string reason;
+    const std::optional<Experiment> said = with_terms(drawn, layout_, places_, terms, reason);
+    if (is_same || !said || !takes_bias_unit(layout_, said->shadow.bias.constant.unit)) return {};
+    of_one.shadow.bias.constant = said->shadow.bias.constant;
+    of_one.shadow.fit.cascade_bias = said->shadow.fit.cascade_bias;
+    return of_one;
   }
 
   // As the engine draws, without what it has no number for, and with the constant bias that is best then.
@@ -126,23 +141,19 @@ class EnginesOfLight {
       depth.caster_offset = {};
     }
     if (!target.engine->is_unit) result.left_out_slope = std::exchange(drawn.shadow.bias.slope, 0.0);
-    Length& constant = drawn.shadow.bias.constant;
-    const Length given = constant;
-    result.is_in_metres = constant.unit != LengthUnit::metres && !has_equal_texels(layout_) && is_one_length(target);
-    if (result.is_in_metres) constant = Length{places_.front().texel};
-    const bool is_as_run = !result.is_in_metres && !result.own_faces && !result.has_own_offset &&
+    const std::optional<Experiment> with_one = with_one_number(drawn, target);
+    result.has_one_number = with_one.has_value();
+    const bool is_as_run = !result.has_one_number && !result.own_faces && !result.has_own_offset &&
                            result.lost_offset.empty() && result.left_out_slope == 0.0;
     if (is_as_run || !has_constant) return drawn;
-    drawn.run.for_engines.clear();
-    const BiasAdvice advice = advise_bias(stages_, drawn, light_);
-    if (advice.withheld) {
-      if (result.is_in_metres) constant = given;
-      return drawn;
-    }
+    Experiment searched = with_one.value_or(drawn);
+    searched.run.for_engines.clear();
+    const BiasAdvice advice = advise_bias(stages_, searched, light_);
+    if (advice.withheld) return drawn;
     // Not the run's own bias, however good: that was found under other conditions.
-    constant.number = advice.plateau.recommended.constant;
-    result.own_bias = drawn.shadow.bias.constant;
-    return drawn;
+    searched.shadow.bias.constant.number = advice.plateau.recommended.constant;
+    result.own_bias = searched.shadow.bias.constant;
+    return searched;
   }
 
   // set_values() of all numbers, at each place; 0 where there is none.

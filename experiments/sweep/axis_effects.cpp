@@ -53,13 +53,15 @@ std::vector<Value> alternatives(const Parameter& parameter) {
   return {std::int64_t{**number} + 1};
 }
 
-// "shadow.filter nearest does not read it", and what would.
-Error unread(SweptQuantity quantity, const Experiment& given, const std::string& key, const std::string& what) {
+// "shadow.filter nearest does not read it", and what would, of which all axes have an effect.
+Error unread(SweptQuantity quantity, const Experiment& given, const std::string& key, const std::string& what,
+             const std::vector<SweepAxis>& axes = {}) {
   if (!is_measured(quantity, key)) {
     for (const SweptQuantity other : {SweptQuantity::visibility, SweptQuantity::ao, SweptQuantity::image}) {
-      if (!is_measured(other, key)) continue;
+      const auto is_of_other = [&](const SweepAxis& axis) { return is_measured(other, axis.key); };
+      if (!is_measured(other, key) || !std::ranges::all_of(axes, is_of_other)) continue;
       return {ExitCode::usage, what, fmt::format("it has no effect on {}", quantity_title(quantity)),
-              fmt::format("leave it out, or add --measure {}", quantity_name(other))};
+              fmt::format("leave it out, or use --measure {}", quantity_name(other))};
     }
     return {ExitCode::usage, what, "it has no effect on any measurement", "leave it out"};
   }
@@ -125,7 +127,7 @@ void require_effect(SweptQuantity quantity, const std::vector<Experiment>& exper
     if (has_effect) continue;
     Experiment first = experiments.front();
     for (const SweepAxis& each : varied) set_value(describe(first), each, each.values.front());
-    throw unread(quantity, first, axis.key, "--vary " + axis.key);
+    throw unread(quantity, first, axis.key, "--vary " + axis.key, varied);
   }
 }
 

@@ -20,10 +20,7 @@ class Search {
     for (std::size_t a = 0; a < in_.axes.size(); ++a) {
       if (a != in_.exact) (in_.axes[a].is_word() ? words_ : numbers_).push_back(a);
     }
-    limit_ = in_.evaluations;
-    if (limit_ == 0) {
-      limit_ = default_evaluations(words_.size() + numbers_.size(), numbers_.size(), combinations_of_words());
-    }
+    limit_ = in_.evaluations > 0 ? in_.evaluations : usual_evaluations();
   }
 
   TuneResult run() {
@@ -126,6 +123,10 @@ class Search {
     return values;
   }
 
+  std::size_t usual_evaluations() const {
+    return default_evaluations(words_.size() + numbers_.size(), numbers_.size(), combinations_of_words());
+  }
+
   std::size_t combinations_of_words() const {
     std::size_t combinations = 1;
     for (const std::size_t a : words_) combinations *= in_.axes[a].count();
@@ -159,6 +160,7 @@ class Search {
   void search_numbers() {
     const std::size_t combinations = combinations_of_words();
     result_.method = fmt::format("DIRECT-L, then subplex{}", words_.empty() ? "" : ", for each combination of words");
+    if (!words_.empty()) result_.usual_evaluations = usual_evaluations();
     const std::size_t share = combinations == 1 ? limit_ : limit_ * 8 / 10 / combinations;
     // Few evaluations reach every combination, if not the last search.
     const std::size_t most = limit_ / combinations;

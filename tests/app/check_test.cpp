@@ -118,6 +118,14 @@ TEST_F(Check, Update_writes_bounds_that_the_run_keeps_with_head_room_and_that_a_
   EXPECT_EQ(run_program({"check", bad, "--budget", file}).exit_code, 0);
 }
 
+TEST_F(Check, Update_counts_what_it_adds_apart_from_what_it_changes) {
+  const std::string file = budget("[[budget]]\nscene = \"other\"\nstatistic = \"acne\"\nbound = 0.5\n");
+  const ProgramResult result =
+      run_program({"check", run("good", summary(0.001)), "--budget", file, "--update", "--quiet"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("0 of 1 bounds updated, 4 added"), std::string::npos) << result.out;
+}
+
 TEST_F(Check, Update_bounds_a_signed_error_on_both_sides_of_0) {
   const auto run_with = [&](const std::string& name, double mean_error) {
     Json json = Json::parse(summary(0.001));

@@ -273,6 +273,34 @@ TEST_F(ForEngines, A_number_in_metres_is_searched_in_metres) {
               in_metres.at("recommended").at("constant_bias").at("m").get<double>(), 1e-9);
 }
 
+// In which unit the run has its bias must not change what an engine with one number for all places is told.
+TEST_F(ForEngines, One_number_for_all_places_is_searched_along_it_whatever_the_unit_of_the_run) {
+  struct Case {
+    const char* engine;
+    const char* scene;
+    const char* light;
+    std::vector<std::string> map;
+    std::vector<std::string> units;
+  };
+  for (const Case& each :
+       {Case{"three", "courtyard", "spot", {"--preset", "threejs-basic-spot"}, {"0", "1texels", "0depth"}},
+        Case{"babylon", "two-occluders", "sun", {"--shadow.cascades", "3"}, {"0.02", "1texels", "0.001depth"}},
+        Case{"godot:pancake=5", "two-occluders", "sun", {"--shadow.cascades", "3"}, {"0.02", "1texels"}}}) {
+    std::vector<Json> found;
+    for (const std::string& unit : each.units) {
+      const Json shadow =
+          compare(words({"--for", each.engine, "--shadow.constant-bias", unit}, each.map), each.scene, each.light);
+      found.push_back(shadow.at("recommended_bias").at("engines").at(0));
+      ASSERT_GT(found.back().at("places").size(), 1u) << each.engine;
+      const Json& number = found.back().at("numbers").at(0);
+      EXPECT_EQ(number.at("set"), found.front().at("numbers").at(0).at("set")) << each.engine << ", " << unit;
+      EXPECT_EQ(found.back().at("mae"), found.front().at("mae")) << each.engine << ", " << unit;
+      for (const Json& value : number.at("values"))
+        EXPECT_NEAR(value.get<double>() / number.at("values").at(0).get<double>(), 1.0, 1e-6) << each.engine;
+    }
+  }
+}
+
 // Of a light without a range Unity's default is assumed, which may end before what it lights here.
 TEST_F(ForEngines, A_light_that_ends_before_its_receivers_has_no_number) {
   const auto urp = [&](const char* target) {

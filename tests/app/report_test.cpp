@@ -146,6 +146,8 @@ TEST_F(RunsReport, Without_images_that_give_the_statistic_the_interval_of_the_ra
   EXPECT_EQ(value.interval, IntervalOf::rays);
   EXPECT_EQ(value.verdict, Verdict::rays_only) << "other pixels could give another order";
   EXPECT_NEAR(value.difference.upper - value.difference.value, 0.05, 1e-9) << "√(0.03² + 0.04²)";
+  const ProgramResult result = run_program({"report", write("a", a), write("b", b), "-o", output(), "--no-figures"});
+  EXPECT_NE(result.out.find(" % (95 % interval, over the rays only)"), std::string::npos) << result.out;
 }
 
 // An error in patches of 8 × 8 pixels has 64 independent values, not 4096.
@@ -182,6 +184,16 @@ TEST_F(RunsReport, A_difference_that_is_not_shown_to_be_significant_is_in_parent
   EXPECT_EQ(difference(0.0), "(5.00)");
   EXPECT_EQ(difference(0.1), "(5 ± 14*)");
   EXPECT_EQ(difference(0.01), "(5.0 ± 1.4*)") << "the interval covers the rays alone";
+}
+
+TEST_F(RunsReport, Another_reference_is_said_only_of_what_both_runs_measured) {
+  const StoredRun base = read_stored_run(write("a", {}));
+  StoredRun soft = base;
+  soft.parameters.emplace_back("light.radius", "1");
+  EXPECT_EQ(limits_of_comparison({base, soft}).size(), 1u);
+  for (MeasuredStatistic& each : soft.statistics) each.light = "another";
+  for (const std::string& limit : limits_of_comparison({base, soft}))
+    EXPECT_EQ(limit.find("another reference"), std::string::npos) << limit;
 }
 
 TEST_F(RunsReport, Equal_runs_are_equal) {

@@ -61,6 +61,8 @@ TEST(AxisEffects, An_axis_that_the_measured_quantity_does_not_depend_on_is_refus
               {"no effect on ambient occlusion", "--measure visibility"});
   expect_says(refusal(shadows, {"ao.radius=0.1,0.2"}), {"no effect on shadows", "--measure ao"});
   expect_says(refusal(shadows, {"shading.ambient=0,1"}), {"--measure image"});
+  const std::vector<std::string> of_both = {"ao.blur=none,gaussian", "shadow.constant-bias=0.1,0.2"};
+  expect_says(refusal(shadows, of_both), {"no effect on shadows", "--measure image"});
 }
 
 TEST(AxisEffects, An_axis_that_one_combination_of_the_others_reads_is_accepted) {
