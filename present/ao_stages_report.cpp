@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 
 #include "present/presentation_parts.h"
@@ -16,6 +17,13 @@ constexpr std::array<const char*, ao_stage_count> meanings = {
     "The method's own number of samples, without blur.",
     "The method's blur.",
 };
+
+// "the method's blur".
+std::string within_a_sentence(std::string meaning) {
+  meaning.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(meaning.front())));
+  meaning.pop_back();
+  return meaning;
+}
 
 std::string signed_text(double share) { return with_sign(share_text(share)); }
 std::string signed_text(const Estimate& share) { return with_sign(share_text(share)); }
@@ -142,8 +150,9 @@ Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& 
   const AoStageError& most = statistics.stages[largest];
   const double total = statistics.total.rmse.value;
   presentation.lines.push_back(fmt::format(
-      "AO by stage: '{}' has the largest RMS, {} (mean {}){}; all stages together: RMS {}", ao_stage_titles[largest],
-      percent(most.rms.value), with_sign(percent(most.mean.value)),
+      "AO by stage: '{}' ({}) has the largest RMS, {} (mean {}){}; all stages together: RMS {}",
+      ao_stage_titles[largest], within_a_sentence(meanings[largest]), percent(most.rms.value),
+      with_sign(percent(most.mean.value)),
       most.rms.value > std::max(total, statistics.total.rmse.upper) ? ", partly undone by other stages" : "",
       percent(total)));
   return presentation;

@@ -197,8 +197,8 @@ std::vector<std::string> gate_notes(const std::vector<BudgetEntry>& budget,
                     each.scene));
   }
   for (const UncheckedBounds& each : unchecked_bounds(budget, measured)) {
-    add(fmt::format("{} ({}) does not have {}: what {} was not checked in it", each.run, each.where,
-                    joined(each.statistics, ", "), each.statistics.size() == 1 ? "bounds it" : "bounds these"));
+    add(fmt::format("{0} ({1}) has not measured {2}: no bound on {2} was checked there", each.run, each.where,
+                    joined(each.statistics, ", ")));
   }
   for (const MeasuredStatistic& each : measured) {
     if (each.view.empty()) continue;

@@ -133,8 +133,9 @@ Presentation present_image(const SceneFacts& scene, const LayeredImage& layers, 
   section.tables.insert(section.tables.begin(), statistics_table("Error of the image", s));
   add_metrics_table(section, image.metrics);
   presentation.answers.push_back(
-      fmt::format("image: error {} of white, {} over the pixels away from shadow edges; with the "
-                  "reference's input it falls by, in per cent of white: {} (parts may overlap)",
+      fmt::format("image: error {} of white, {} over the pixels away from shadow edges; with one "
+                  "input of the reference in place of the technique's it falls by, in per cent of white: {} (parts may "
+                  "overlap)",
                   percent(s.error.mae), percent(s.mae_off_edges), parts));
   if (!warning.empty()) {
     presentation.answers.push_back("warning: " + warning);

@@ -48,11 +48,13 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
   const bool is_only = first == last;
   const bool has_none = plateau.least.mae == 0.0 && tolerance.empty();
   const std::string good_by = tolerance.empty() ? tolerance_text(plateau.is_by_pixels) : tolerance;
-  const std::string of_least = fmt::format("of the least {}{}", what, least.empty() ? "" : ", " + least);
-  const std::string good = !has_none              ? fmt::format("within {} {}", good_by, of_least)
-                           : plateau.is_by_pixels ? "at most " + good_by
-                                                  : fmt::format("no {}", what);
-  const char* verb = has_none ? (is_only ? "has" : "have") : is_only ? "is" : "are";
+  const std::string at_least = what + (least.empty() ? "" : ", " + least);
+  const bool counts_pixels = plateau.is_by_pixels && tolerance.empty();
+  const std::string good = has_none        ? (counts_pixels ? "at most " + good_by : fmt::format("no {}", what))
+                           : counts_pixels ? fmt::format("at most {} more than at the least {}", good_by, at_least)
+                                           : fmt::format("within {} of the least {}", good_by, at_least);
+  const bool is_within = !has_none && !counts_pixels;
+  const char* verb = is_within ? (is_only ? "is" : "are") : is_only ? "has" : "have";
   if (is_only) return fmt::format("{} {} {}", only, verb, good);
   return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);
 }
@@ -98,8 +100,8 @@ std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
 
 std::string average_text(LengthUnit unit) {
   return fmt::format(
-      "The errors hold for the bias in {}. In the other units one such bias is a different number in each pixel, and "
-      "the table has its average: entered as a bias, that number gives another error.",
+      "The errors hold for the bias in {}. Where a map's texels differ in size, one such bias is a different number in "
+      "each pixel in the other units, and the table has its average: entered as a bias, that gives another error.",
       unit == LengthUnit::metres   ? "metres"
       : unit == LengthUnit::texels ? "texels"
                                    : "the map's depth");

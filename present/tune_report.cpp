@@ -59,8 +59,8 @@ std::string comparison(const TuneSummary& summary, const char* what, const TuneP
   const TuneGoal& goal = summary.goal;
   const TunePoint& best = summary.result.best;
   const bool breaks = !other.score.is_kept();
-  return fmt::format("{}, {}: {}{}; {}", what, point_text(summary.axes, other.values),
-                     cost_text(goal, other.score.cost),
+  return fmt::format("{}, {}{}: {}{}; {}", what, point_text(summary.axes, other.values),
+                     is_better(other.score, best.score) ? " (not on the axes)" : "", cost_text(goal, other.score.cost),
                      !breaks                ? ""
                      : best.score.is_kept() ? ", but breaks a constraint that the best point keeps"
                                             : " (breaks constraints" + broken_text(goal, other, summary.cases) + ")",
@@ -265,8 +265,8 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
         held.cases.size() > 2
             ? fmt::format("{} cases, from '{}' to '{}'", held.cases.size(), held.cases.front(), held.cases.back())
             : joined(held.cases, "; "),
-        goal.is_relative ? cost_words(absolute) + ", " : "", held_text(absolute, held.before, held.cases),
-        held_text(absolute, checked, held.cases), of_cases_text(goal, held.cases.size()),
+        goal.is_relative ? cost_words(absolute) + ", not relative: " : "", held_text(absolute, held.before, held.cases),
+        held_text(absolute, checked, held.cases), of_cases_text(goal, held.cases.size(), true),
         judged(absolute, held.recommended ? "the recommended point" : "the best point",
                held.recommended ? held.recommended_difference : held.difference,
                checked.score.cost - held.before.score.cost)));

@@ -109,7 +109,10 @@ std::vector<std::string> missed_points(const TuneSummary& summary) {
   std::vector<std::string> lines;
   for (const AxisScan& scan : summary.result.scans) {
     const auto least = std::ranges::min_element(scan.points, is_better, &TunePoint::score);
-    if (least == scan.points.end() || !is_better(least->score, summary.result.best.score)) continue;
+    const TuneScore& best = summary.result.best.score;
+    if (least == scan.points.end() || !is_better(least->score, best)) continue;
+    const bool reads_alike = cost_text(summary.goal, least->score.cost) == cost_text(summary.goal, best.cost);
+    if (reads_alike && least->score.violation == best.violation) continue;
     const TuneAxis& axis = summary.axes[scan.axis];
     const std::string value = value_text(axis, least->values[scan.axis]);
     lines.push_back(fmt::format(

@@ -49,8 +49,10 @@ std::string cost_unit(const TuneGoal& goal) {
   return unit;
 }
 
-std::string of_cases_text(const TuneGoal& goal, std::size_t cases) {
-  return cases > 1 ? fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", cases) : "";
+std::string of_cases_text(const TuneGoal& goal, std::size_t cases, bool is_of_two) {
+  if (cases < 2) return {};
+  if (!goal.is_worst_case) return fmt::format(", the mean of {} cases", cases);
+  return fmt::format(", {}the worst of {} cases", is_of_two ? "each " : "", cases);
 }
 
 std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval) {

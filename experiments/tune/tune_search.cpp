@@ -230,20 +230,20 @@ std::vector<AxisScan> scans_from_best(const SearchInput& input, const TuneResult
   return scans;
 }
 
-constexpr int most_steps = 4;         // from one best point to a better one
-constexpr double much_better = 0.95;  // of the cost: less is not worth another scan
+constexpr int most_steps = 4;          // from one best point to a better one
+constexpr double shown_share = 0.999;  // of the cost: a larger one reads as the same in three digits
 
 // A point whose value is only guessed has no cases.
-bool is_much_better(const TunePoint& point, const TunePoint& best) {
+bool is_shown_better(const TunePoint& point, const TunePoint& best) {
   if (point.cases.empty() || !is_better(point.score, best.score)) return false;
-  return point.score.violation < best.score.violation || point.score.cost < much_better * best.score.cost;
+  return point.score.violation < best.score.violation || point.score.cost < shown_share * best.score.cost;
 }
 
-const TunePoint* much_better_point(const TuneResult& result) {
+const TunePoint* better_point(const TuneResult& result) {
   const TunePoint* better = nullptr;
   for (const AxisScan& scan : result.scans) {
     for (const TunePoint& point : scan.points) {
-      if (is_much_better(point, result.best) && (better == nullptr || is_better(point.score, better->score)))
+      if (is_shown_better(point, result.best) && (better == nullptr || is_better(point.score, better->score)))
         better = &point;
     }
   }
@@ -273,11 +273,11 @@ TuneResult search_points(const SearchInput& input, const AskPoint& ask, const Tu
 void scan_axes(const SearchInput& input, TuneResult& result, const AskPoint& ask) {
   for (int step = 0;; ++step) {
     result.scans = scans_from_best(input, result, ask);
-    const TunePoint* better = step < most_steps && result.stopped_by.empty() ? much_better_point(result) : nullptr;
+    const TunePoint* better = step < most_steps && result.stopped_by.empty() ? better_point(result) : nullptr;
     if (better == nullptr) return;
     try {
       TunePoint point = input.exact ? ask({TuneQuery::Kind::point, better->values}, result.goal) : *better;
-      if (!is_much_better(point, result.best)) return;
+      if (!is_shown_better(point, result.best)) return;
       result.points.push_back(point);
       result.best = std::move(point);
     } catch (const SearchEnd& end) {

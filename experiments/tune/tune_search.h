@@ -53,7 +53,7 @@ std::size_t default_evaluations(std::size_t axes, std::size_t axes_of_numbers, s
 TuneResult search_points(const SearchInput& input, const AskPoint& ask, const TuneProgress& progress = {});
 
 /// Asks for points along each axis but the exact one, from the best point: scans. The search may have missed one that
-/// is better by a twentieth of the cost: it is then the best point, and the axes are scanned from there.
+/// is better: it is then the best point, and the axes are scanned from there.
 void scan_axes(const SearchInput& input, TuneResult& result, const AskPoint& ask);
 
 }  // namespace umbrameter

@@ -40,7 +40,7 @@ class Keywords(TypedDict, total=False):
     shadow_splits: str
     """ends of the first cascades as shares of the range, '0.1,0.2,0.5'; empty: by lambda; text."""
     shadow_cascade_bias: str
-    """factors of the constant bias in the cascades, '1,2,4', or own-range: the depth of a bias is a share of each one's own range; text."""
+    """factors of the constant bias in the cascades, '1,2,4', or own-range: a bias in 'depth' is a share of each cascade's own depth range; text."""
     shadow_split_range: Literal['seen', 'camera']
     """depths that the cascades divide: those seen, or near plane to shadow.max-distance; seen or camera. Default: seen."""
     shadow_max_distance: float

@@ -35,11 +35,10 @@ Parameters describe(MapFitParams& params) {
       .field(
           "splits", params.splits,
           {.unit = {}, .meaning = "ends of the first cascades as shares of the range, '0.1,0.2,0.5'; empty: by lambda"})
-      .field(
-          "cascade-bias", params.cascade_bias,
-          {.unit = {},
-           .meaning = "factors of the constant bias in the cascades, '1,2,4', or own-range: the depth of a bias is a "
-                      "share of each one's own range"})
+      .field("cascade-bias", params.cascade_bias,
+             {.unit = {},
+              .meaning = "factors of the constant bias in the cascades, '1,2,4', or own-range: a bias in 'depth' is a "
+                         "share of each cascade's own depth range"})
       .choice(
           "split-range", params.split_range, split_range_names,
           {.unit = {}, .meaning = "depths that the cascades divide: those seen, or near plane to shadow.max-distance"})

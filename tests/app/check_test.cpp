@@ -79,7 +79,7 @@ TEST_F(Check, Of_several_runs_those_without_a_bounded_statistic_are_named) {
   const std::string bounds = budget(acne_budget);
   const ProgramResult both = run_program({"check", good, other, "--budget", bounds});
   EXPECT_EQ(both.exit_code, 0) << both.err;
-  EXPECT_NE(both.err.find("other (court, sun) does not have acne: what bounds it was not checked in it"),
+  EXPECT_NE(both.err.find("other (court, sun) has not measured acne: no bound on acne was checked there"),
             std::string::npos)
       << both.err;
   EXPECT_EQ(both.err.find("good ("), std::string::npos) << both.err;
