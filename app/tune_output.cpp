@@ -144,9 +144,9 @@ void add_warnings(const TuneRun& run, TuneSummary& summary) {
     for (const TuneAxis& axis : summary.axes) {
       if (axis.is_word()) words += (words.empty() ? "" : ", ") + axis.key();
     }
-    warnings.push_back(fmt::format(
-        "{}: with {} of the {} evaluations of the default, a value that is not the best may do better than shown",
-        words, summary.result.evaluations, summary.result.usual_evaluations));
+    warnings.push_back(
+        fmt::format("{}: with {} evaluations, {} by default, a value that is not the best may do better than shown",
+                    words, summary.result.evaluations, summary.result.usual_evaluations));
   }
   if (first.quantity == SweptQuantity::visibility) {
     const bool is_hard = std::ranges::any_of(

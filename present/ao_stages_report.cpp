@@ -13,7 +13,7 @@ constexpr std::array<const char*, ao_stage_count> meanings = {
     "Occluders outside the view vanish.",
     "Occluders inside the view that no pixel sees vanish.",
     "Everything behind the visible surface counts as solid, as thick as the method assumes.",
-    "The method with very many samples, instead of its integral over what the depth buffer knows.",
+    "The method with so many samples that no noise is left, instead of the exact integral over the same depth buffer.",
     "The method's own number of samples, without blur.",
     "The method's blur.",
 };

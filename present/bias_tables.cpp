@@ -191,7 +191,8 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
 std::string explanation(const BiasCurves& curves) {
   std::string text =
       "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
-      "and as normalised depth; a dash means that no bias of the axis qualifies" +
+      "and as normalised depth; a dash means that no bias of the axis qualifies or, at 'recommended', that this view "
+      "cannot show which is right" +
       std::string(curves.varies_slope
                       ? " (for 'acne at most 0.1 %' and 'no acne' at the slope-scaled bias nearest to 0)"
                       : "") +
@@ -224,6 +225,14 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
                             {"in texels", "in depth", "extra error", "extra peter-panning"}});
   if (std::ranges::any_of(curves.curves, &BiasCurve::texels_differ))
     section.tables.back().remarks.push_back(average_text(curves.unit));
+  // The answers give the reasons of those before.
+  for (std::size_t c = max_console_curves; c < curves.curves.size(); ++c) {
+    const BiasCurve& curve = curves.curves[c];
+    if (!curve.plateau || !curve.withheld) continue;
+    section.tables.back().remarks.push_back(fmt::format("{}: no bias recommended: {}.",
+                                                        setting_text(curves.others, curve.others),
+                                                        withheld_text(*curve.withheld, curve.evidence)));
+  }
   if (curves.varies_slope && curves.varies_constant)
     section.tables.push_back({"Constant biases by slope-scaled bias",
                               in_digits(slopes_table(curves), curves.others.size() + 1),
@@ -233,8 +242,8 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
   std::size_t printed = 0;
   for (const BiasCurve& curve : curves.curves) {
     if (printed++ == max_console_curves) {
-      presentation.answers.push_back(
-          fmt::format("… and {} more: see the report", curves.curves.size() - max_console_curves));
+      presentation.answers.push_back(fmt::format("… and {} more: see the table 'Recommended biases' of the report",
+                                                 curves.curves.size() - max_console_curves));
       break;
     }
     const std::string setting = setting_text(curves.others, curve.others);

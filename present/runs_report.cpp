@@ -270,7 +270,11 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
                             verdict_text(value));
       }
       const auto is_range = [](const std::string& text) { return text.find(" to ") != std::string::npos; };
-      shows_noise = shows_noise || (value.noise > 0.0 && (is_range(own) || (is_compared && is_range(difference))));
+      // An interval that ends at 0 is a range without noise, too.
+      ComparedValue without_noise = value;
+      without_noise.noise = 0.0;
+      const bool is_by_noise = is_range(own) && !is_range(printed_value(without_noise));
+      shows_noise = shows_noise || is_by_noise || (value.noise > 0.0 && is_compared && is_range(difference));
       answers.push_back(std::move(line));
     }
     if (shows_noise) noisy += (noisy.empty() ? "" : ", ") + what;

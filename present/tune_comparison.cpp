@@ -42,6 +42,13 @@ std::vector<double> shown_values(const TuneSummary& summary, const ComparedPoint
   return values;
 }
 
+bool reads(const TuneSummary& summary, const ComparedPoint& compared, std::size_t axis) {
+  return std::ranges::none_of(summary.result.of_words, [&](const WordPoint& word) {
+    return compared.axis == word.axis && compared.point.values == word.point.values &&
+           std::ranges::find(word.unread, summary.axes[axis].key()) != word.unread.end();
+  });
+}
+
 Table comparison_table(const TuneSummary& summary) {
   const TuneGoal& goal = summary.goal;
   Table table{{{"point", "", "the default, or the best point with this value"},
@@ -58,7 +65,8 @@ Table comparison_table(const TuneSummary& summary) {
     table.columns.push_back(
         {column_words(summary.shown, c) + of_cases_text(summary.shown, summary.cases.size()), "", column.meaning});
   }
-  for (const TuneAxis& axis : summary.axes) table.columns.push_back({name_of(axis), "", "value"});
+  for (const TuneAxis& axis : summary.axes)
+    table.columns.push_back({name_of(axis), "", "value; a dash: it is not read"});
   for (const ComparedPoint& compared : summary.judgement.compared) {
     std::vector<Value> row = {title_of(summary, compared), cost_text(goal, compared.point.score.cost),
                               distance_text(goal, compared, summary.result.best.score.cost)};
@@ -66,7 +74,7 @@ Table comparison_table(const TuneSummary& summary) {
     const std::vector<double> values = shown_values(summary, compared);
     for (const std::size_t c : shown) row.emplace_back(statistic_text(values[c], summary.shown.columns[c].unit));
     for (std::size_t a = 0; a < summary.axes.size(); ++a) {
-      row.emplace_back(value_text(summary.axes[a], compared.point.values[a]));
+      row.emplace_back(reads(summary, compared, a) ? value_text(summary.axes[a], compared.point.values[a]) : "—");
     }
     table.rows.push_back(std::move(row));
   }

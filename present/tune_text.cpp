@@ -23,7 +23,7 @@ std::string tolerance_text(const TuneSummary& summary) {
   // One pixel counts more in the mean of the cases where its case has fewer.
   if (limit.is_by_pixels && summary.cases.size() > 1)
     return digits_text(100.0 * (limit.error - summary.result.best.score.cost), 2) +
-           " percentage points (three of all pixels)";
+           " percentage points (three wrong pixels of all cases)";
   return tolerance_text(limit.is_by_pixels);
 }
 

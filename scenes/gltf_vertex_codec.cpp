@@ -58,7 +58,7 @@ void read_deltas(Reader& reader, unsigned control, std::size_t elements, std::sp
   unsigned char modes[4] = {};  // two bits for each of the 16 groups that a block has at most
   for (std::size_t i = 0; i < (groups + 3) / 4; ++i) modes[i] = static_cast<unsigned char>(reader.byte());
   for (std::size_t group = 0; group < groups; ++group) {
-    const unsigned mode = (modes[group / 4] >> (group % 4 * 2)) & 3u;
+    const unsigned mode = (unsigned{modes[group / 4]} >> (group % 4 * 2)) & 3u;
     const unsigned bits = bits_of_mode[control][mode];
     const auto part = deltas.subspan(group * group_size, group_size);
     if (bits == 8) {
@@ -121,7 +121,7 @@ bool decode_vertex_stream_1(std::span<const unsigned char> encoded, std::size_t 
     const std::size_t size = std::min(block_size, count - first);
     for (unsigned char& byte : control) byte = static_cast<unsigned char>(reader.byte());
     for (std::size_t byte = 0; byte < stride; ++byte) {
-      const unsigned mode = (control[byte / 4] >> (byte % 4 * 2)) & 3u;
+      const unsigned mode = (unsigned{control[byte / 4]} >> (byte % 4 * 2)) & 3u;
       read_deltas(reader, mode, size, std::span(deltas).subspan(byte * block_size, block_size));
     }
     for (std::size_t i = 0; i < size; ++i) {

@@ -72,8 +72,8 @@ void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
   }
   if (formula.independent < formula.points) {
     of.warnings.push_back(
-        fmt::format("only {} of {} points are independent: those with equal texel size, Δz, r and δ, all that the "
-                    "formula depends on, count as one",
+        fmt::format("only {} of {} points are independent: those with equal texel size, Δz, filter radius and depth "
+                    "step, all that a formula can depend on, count as one",
                     formula.independent, formula.points));
   }
   if (formula.independent < 2 * unknowns) {

@@ -85,11 +85,13 @@ TuneJudgement judge(const JudgeInput& in, const std::function<void(double)>& pro
                                  ? moved(judgement.best, -1.0)
                                  : cost_difference(in.goal, result.best.cases, of_best, result.before.cases, of_before);
   step();
-  if (result.runner_up) {
-    judgement.against_runner_up =
-        cost_difference(in.goal, result.best.cases, of_best, result.runner_up->cases,
-                        leave_out_blocks(in.cases, in.goal, at(in, result.runner_up->values)), of_before);
-  }
+  // The best point's cost minus that of another.
+  const auto against = [&](const TunePoint& point) {
+    if (point.cases == result.before.cases) return judgement.against_before;
+    return cost_difference(in.goal, result.best.cases, of_best, point.cases,
+                           leave_out_blocks(in.cases, in.goal, at(in, point.values)), of_before);
+  };
+  if (result.runner_up) judgement.against_runner_up = against(*result.runner_up);
   step();
   if (!result.of_words.empty() || shows_more) {
     judgement.compared.push_back(
@@ -99,11 +101,7 @@ TuneJudgement judge(const JudgeInput& in, const std::function<void(double)>& pro
     const TunePoint& point = word.point;
     ComparedPoint compared{
         word.axis, point, shown_at(point, at(in, point.values)), {}, point.values == result.best.values};
-    if (!compared.is_best) {
-      compared.difference =
-          cost_difference(in.goal, point.cases, leave_out_blocks(in.cases, in.goal, at(in, point.values)),
-                          result.best.cases, of_best, of_before);
-    }
+    if (!compared.is_best) compared.difference = negated(against(point));
     judgement.compared.push_back(std::move(compared));
     step();
   }

@@ -29,6 +29,7 @@ struct MadeRun {
   Image<float> error = Image<float>(side, side, 0.0f);
   double mae_offset = 0.0, sampling_half_width = 0.0;  // the former adds to the value that the images have
   std::size_t counted_rows = side;                     // from the top
+  float variance = 0.0f;                               // of the reference in each pixel
 
   double mae() const {
     double sum = 0.0;
@@ -63,6 +64,8 @@ class RunsReport : public testing::Test {
     folder_.write(name + "/summary.json", summary.dump());
     LayeredImage images;
     add_layer(images, "error_visibility_sun", made.error);
+    if (made.variance > 0.0f)
+      add_layer(images, "truth_visibility_variance_sun", Image<float>(side, side, made.variance));
     Image<float> classes(side, side, static_cast<float>(PixelClass::not_counted));
     std::fill_n(classes.pixels.begin(), made.counted_rows * side, 0.0f);
     add_layer(images, "class_sun", classes);
@@ -194,6 +197,19 @@ TEST_F(RunsReport, Another_reference_is_said_only_of_what_both_runs_measured) {
   for (MeasuredStatistic& each : soft.statistics) each.light = "another";
   for (const std::string& limit : limits_of_comparison({base, soft}))
     EXPECT_EQ(limit.find("another reference"), std::string::npos) << limit;
+}
+
+// An interval of pixels may end at 0, which no ray shortens.
+TEST_F(RunsReport, Noise_is_not_blamed_for_an_interval_that_ends_at_0) {
+  MadeRun a;
+  a.error = Image<float>(side, side, 0.0f);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) a.error.at(x, y) = 0.5f;  // in one block alone
+  }
+  a.variance = 1e-8f;
+  const std::string out = run_program({"report", write("a", a), write("b", a), "-o", output(), "--no-figures"}).out;
+  EXPECT_NE(out.find(" (0.0 to "), std::string::npos) << out;
+  EXPECT_EQ(out.find("the noise of its sampled reference"), std::string::npos) << out;
 }
 
 TEST_F(RunsReport, Equal_runs_are_equal) {

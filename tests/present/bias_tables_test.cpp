@@ -64,6 +64,31 @@ TEST(BiasTables, Where_every_good_bias_leaves_acne_the_answer_names_the_first_th
   EXPECT_NE(answer().find("; acne 0.200 %, and more than 0.1 % at every swept bias"), std::string::npos) << answer();
 }
 
+TEST(BiasTables, Why_no_bias_is_recommended_stands_in_the_answers_or_below_the_table) {
+  BiasCurves curves = fine_curves();
+  curves.others = {{"camera", "", ""}};
+  const BiasCurve first = curves.curves[0];
+  curves.curves.clear();
+  for (int camera = 0; camera < 9; ++camera) {
+    BiasCurve curve = first;
+    curve.others = {std::int64_t{camera}};
+    curve.plateau = plateau_of(std::vector<BiasCell>{{0.01, 0.5625, 0.0100, 0.0}});
+    curve.evidence.pixels = 10 + static_cast<std::uint64_t>(camera);
+    curve.withheld = NoBias::few_pixels;
+    curves.curves.push_back(curve);
+  }
+  Presentation presentation;
+  present_bias(presentation, curves);
+  std::string said;
+  for (const std::string& answer : presentation.answers) said += answer + "\n";
+  for (const std::string& remark : presentation.section.tables.at(0).remarks) said += remark + "\n";
+  for (int camera = 0; camera < 9; ++camera) {
+    const std::string reason =
+        "camera " + std::to_string(camera) + ": no bias recommended: only " + std::to_string(10 + camera);
+    EXPECT_NE(said.find(reason), std::string::npos) << reason << "\n" << said;
+  }
+}
+
 TEST(BiasTables, A_difference_of_shares_is_in_percentage_points) {
   Presentation presentation;
   present_bias(presentation, fine_curves());

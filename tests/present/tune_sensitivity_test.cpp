@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/settings/experiment.h"
+#include "present/tune_comparison.h"
 #include "tests/support/expect_words.h"
 
 namespace umbrameter {
@@ -32,6 +33,17 @@ TEST(TuneSensitivity, A_point_beside_the_search_that_is_better_than_its_best_one
   expect_words(missed_points(summary)[0], {"ao.radius: the search missed 1.75 m", "--evaluations"});
 }
 
+TEST(TuneComparison, What_a_word_does_not_read_is_no_part_of_its_best_point) {
+  TuneSummary summary = summary_of("shadow.filter-size", "3,5,7", "shadow", point(3.0, 0.05));
+  const TunePoint of_disk = point(5.0, 0.06);
+  summary.result.of_words = {{0, of_disk, {"shadow.filter-size"}}};
+  summary.shown = summary.goal;
+  summary.judgement.compared = {{{}, point(3.0, 0.05), {{0.05}}, {}}, {0, of_disk, {{0.06}}, {}}};
+  const Table table = comparison_table(summary);
+  EXPECT_EQ(to_string(table.rows.at(0).back()), "3 texels");
+  EXPECT_EQ(to_string(table.rows.at(1).back()), "—");
+}
+
 // Three of 1,000 counted pixels are 0.3 %, whatever case they are of.
 TEST(TuneSensitivity, A_range_by_pixels_is_a_share_of_them_where_several_cases_are_averaged) {
   TuneSummary summary = summary_of("shadow.slope-bias", "0:4", "shadow", point(2.0, 0.001));
@@ -42,7 +54,8 @@ TEST(TuneSensitivity, A_range_by_pixels_is_a_share_of_them_where_several_cases_a
   EXPECT_EQ(of_one.columns[3].name, "within 3 wrong pixels");
   EXPECT_EQ(to_string(of_one.rows[0][3]), "2 to 4 texels (upper end of the axis); no longer at 0 texels");
   summary.cases = {"sun", "lamp"};
-  EXPECT_EQ(sensitivity_table(summary).columns[3].name, "within 0.30 percentage points (three of all pixels)");
+  EXPECT_EQ(sensitivity_table(summary).columns[3].name,
+            "within 0.30 percentage points (three wrong pixels of all cases)");
 }
 
 }  // namespace
