@@ -250,14 +250,18 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
       results.notes.push_back(text);
     }
   }
+  const bool is_of_one_view = std::ranges::all_of(run.cases, [&](const TuneCase& each) {
+    return each.stages == &first && each.experiment.view.camera == run.cases.front().experiment.view.camera;
+  });
   RunOutput output;
   output.experiment_toml = experiment_of(job, line.tune);
   output.texts = {{tuned_file, tuned_text(job, summary)}, {"evaluations.csv", to_csv(evaluation_table(summary))}};
   output.closing = {fmt::format(
-      "tuned: {0}{1}; run it with 'umbrameter compare -c {0} -o DIR'", (folder.path() / tuned_file).string(),
+      "tuned: {0}{1}; run it with 'umbrameter compare -c {0} -o DIR'{2}", (folder.path() / tuned_file).string(),
       summary.result.withheld      ? " with constant-bias unchanged"
       : summary.result.recommended ? " with " + point_text(summary.axes, summary.result.recommended->values)
-                                   : "")};
+                                   : "",
+      is_of_one_view ? "" : ", which measures one scene and camera: SCENE and --camera choose another")};
   output.journal = journal_path;
   output.page = {make_figure_style(line.figures), !line.no_figures};
   return write_run(folder, console, std::move(results), std::move(output));

@@ -317,8 +317,10 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
              of.points.size() + of.left_out >= needed;
     });
     const std::string text = fmt::format(
-        "no formula for the bias over {}: one needs {} combinations that differ in texel size, Δz, filter radius or "
-        "depth step and whose bias lies inside the axis; there are {}; {}",
+        "no formula for the bias over {}: one needs {} combinations that differ in texel size, depth per texel Δz, "
+        "filter "
+        "radius or depth step, with a bias that is not at an end of the axis (of acne: not at its lower end); there "
+        "are {}; {}",
         names_of(curves.formula_axes), needed, counts,
         is_off_axis ? "extend the axis of the bias" : "vary more values, such as more resolutions");
     section.text += "\n\nThere is " + text + ".";

@@ -93,7 +93,7 @@ std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
     case NoBias::unbounded:
       return "a bias that removes every shadow is among the best, because the map is too coarse, the filter too "
              "wide, or the casters are not in the map; raise --shadow.resolution, use a narrower filter, or look at "
-             "--shadow.depth-far and --shadow.faces";
+             "what casts (--shadow.faces; with a perspective --shadow.depth-encoding --shadow.depth-far)";
   }
   return {};
 }

@@ -76,8 +76,8 @@ inline constexpr const char* one_bias_warning =
 
 /// Of a sweep that varies_reference().
 inline constexpr const char* references_warning =
-    "errors of different lights, cameras, scenes or references do not show which of them is better: compare the cells "
-    "of one";
+    "errors of different lights, cameras, scenes or references do not show which of them is better: compare cells "
+    "with the same light, camera, scene and reference";
 
 /// Why statistics count no pixel: "nothing to measure: all 230400 pixels are background". Empty if they count some.
 std::string nothing_counted_text(const CountedPixels& counted);

@@ -125,7 +125,7 @@ std::vector<std::string> missed_points(const TuneSummary& summary) {
 
 Table sensitivity_table(const TuneSummary& summary) {
   Table table{
-      {{"parameter", "", "varied; the others keep their best values"},
+      {{"varied alone", "", "this parameter; the others keep their best values"},
        {"axis", "", "values that were allowed"},
        {"best", "", "value of least cost"},
        {"within " + tolerance_text(summary) + (summary.goal.constraints.empty() ? "" : ", constraints kept"), "",

@@ -184,7 +184,7 @@ std::vector<MeasuredStatistic> read_statistics(const std::string& text, const st
   }
   if (all.empty() && summary.contains("tuning")) {
     throw Error(ExitCode::unreadable_input, file, "is of a tuning, whose points are not compared here",
-                "measure its result first: umbrameter compare -c tuned.toml -o DIR");
+                "measure its result first, for each scene and camera: umbrameter compare -c tuned.toml -o DIR");
   }
   if (all.empty()) refuse("holds no statistics, because the run compared nothing");
   return all;

@@ -178,9 +178,20 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
   advice.plateau = *plateau_of(cells, least_possible, advice.evidence.pixels);
   advice.withheld = reason_against(advice.plateau, advice.evidence);
   advice.line.slope = experiment.shadow.bias.slope;
+  // The run's own bias may lie beyond the search: what is least with little acne is not known from it.
+  const auto add_up_to = [&](const std::vector<BiasCell>& more, int exponent) {
+    const double reach = readable_axis(texel, exponent).back();
+    for (const BiasCell& cell : more) {
+      if (std::abs(cell.constant) <= reach) add(advice.line, cell);
+    }
+  };
+  add_up_to(cells, last);
   for (const BiasCell& cell : cells) {
-    add(advice.line, cell);
     if (cell.constant == used.number) advice.used = cell;
+  }
+  if (!advice.line.little_acne && last < largest_exponent) {
+    add_up_to(measure(largest_exponent, {}), largest_exponent);
+    if (advice.line.little_acne) cells.push_back(*advice.line.little_acne);
   }
   advice.cells = {advice.used};
   if (!further.empty()) {

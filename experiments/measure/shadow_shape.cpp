@@ -146,7 +146,8 @@ void note_pixels_of_area_light(Stages& stages, const ShadowMeasurement& shadow, 
   if (share(turned) > many) {
     stages.add_notes(
         {fmt::format("{}: {} of the counted pixels do not face the light's centre, only a part of the "
-                     "light; a technique that knows the centre alone is wrong there, whatever its bias",
+                     "light; a technique that knows the centre alone has them dark, whatever its bias, also where "
+                     "that part lights them",
                      stages.title(shadow.light), percent(share(turned)))});
   }
 }

@@ -80,7 +80,7 @@ class Keywords(TypedDict, total=False):
     shadow_depth_encoding: Literal['linear', 'perspective', 'reversed']
     """depth that the map stores: linear, of a projection matrix, or that reversed; linear, perspective or reversed. Default: linear."""
     shadow_depth_near: float
-    """near plane of perspective encodings, spot and point lights [m]; a number from 1e-06 to 1e+12. Default: 0.1."""
+    """near plane of spot and point lights with a perspective or reversed encoding [m]; a number from 1e-06 to 1e+12. Default: 0.1."""
     shadow_depth_far: float
     """far plane of perspective encodings; 0: the farthest surface [m]; a number from 0 to 1e+12. Default: 0.0."""
     shadow_receiver_precision: Literal['full', 'single']

@@ -54,7 +54,9 @@ Parameters describe(MapDepthParams& params) {
       .choice("depth-encoding", params.encoding, encoding_names,
               {.unit = {}, .meaning = "depth that the map stores: linear, of a projection matrix, or that reversed"})
       .field("depth-near", params.near_depth,
-             {.unit = "m", .meaning = "near plane of perspective encodings, spot and point lights", .min = 1e-6})
+             {.unit = "m",
+              .meaning = "near plane of spot and point lights with a perspective or reversed encoding",
+              .min = 1e-6})
       .field("depth-far", params.far_depth,
              {.unit = "m", .meaning = "far plane of perspective encodings; 0: the farthest surface", .min = 0})
       .choice(

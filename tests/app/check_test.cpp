@@ -200,7 +200,8 @@ TEST_F(Check, Says_what_to_run_in_place_of_a_tuning) {
                    "--budget", budget(acne_budget)});
   EXPECT_EQ(result.exit_code, 4);
   EXPECT_NE(result.err.find("is of a tuning"), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find("umbrameter compare -c tuned.toml"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("for each scene and camera: umbrameter compare -c tuned.toml"), std::string::npos)
+      << result.err;
 }
 
 TEST_F(Check, Kind_light_and_magnitude_select_the_value) {

@@ -129,6 +129,22 @@ Scene animal(bool with_floor) {
   return scene;
 }
 
+// A map of two coarse paraboloids has acne up to hundreds of texels. The run's own bias must not decide where it ends.
+TEST_F(BiasAdviceGl, The_least_bias_with_little_acne_does_not_depend_on_that_of_the_run) {
+  const auto little_acne = [&](double bias) {
+    reset();
+    experiment_.shadow.map.resolution = 1024;
+    experiment_.view.size = {320, 180};
+    experiment_.shadow.bias.constant = {bias, LengthUnit::texels};
+    return advise(load_scene("courtyard"), "lantern", {{"shadow.point-map", std::string("paraboloid")}})
+        .line.little_acne;
+  };
+  const std::optional<BiasCell> usual = little_acne(1.5);
+  ASSERT_TRUE(usual);
+  EXPECT_GT(usual->constant, 100.0) << "beyond the first search";
+  EXPECT_EQ(little_acne(1000.0)->constant, usual->constant);
+}
+
 TEST_F(BiasAdviceGl, An_object_without_a_floor_has_none) {
   experiment_.view.size = {240, 135};
   const BiasAdvice alone = advise(animal(false), "");
