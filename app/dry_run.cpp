@@ -5,6 +5,7 @@
 #include "app/print_json.h"
 #include "core/lists.h"
 #include "experiments/settings/shard_cuts.h"
+#include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
 #include "scenes/view.h"
 
@@ -36,6 +37,35 @@ std::string value_of(Experiment experiment, const std::string& key) {
   return to_string(require(describe(experiment), key).value());
 }
 
+std::string shadow_text(const Experiment& experiment) {
+  const std::string name = technique_name(experiment);
+  if (!reads_map(experiment)) return name;
+  const bool has_filter = std::holds_alternative<Pcf>(make_technique(experiment.shadow));
+  return fmt::format("shadow maps of {}² texels, {}{}", experiment.shadow.map.resolution, name,
+                     has_filter ? ", " + value_of(experiment, "shadow.filter") + " filter" : "");
+}
+
+// "256 rays per pixel for AO, the shadow of lamp; 1 ray per pixel for other shadows".
+std::string reference_text(const Stages& stages, const Experiment& experiment) {
+  const TruthParams& truth = experiment.truth;
+  std::vector<std::string> sampled;
+  std::string hard;
+  if (measures_ao(experiment)) sampled.emplace_back("AO");
+  for (const std::uint32_t light : stages.lights(experiment.view.light)) {
+    if (!measures_shadows(experiment)) break;
+    if (stages.is_sampled(experiment, light)) {
+      sampled.push_back("the shadow of " + stages.title(light));
+    } else {
+      hard = "1 ray per pixel for ";
+    }
+  }
+  if (!hard.empty()) hard += sampled.empty() || sampled == std::vector<std::string>{"AO"} ? "shadows" : "other shadows";
+  if (sampled.empty()) return hard;
+  const std::string rays =
+      truth.tolerance > 0.0 ? fmt::format("{} to {}", truth.min_spp, truth.max_spp) : fmt::format("{}", truth.spp);
+  return fmt::format("{} rays per pixel for {}{}{}", rays, joined(sampled, ", "), hard.empty() ? "" : "; ", hard);
+}
+
 ExitCode show(const Console& console, const std::vector<Row>& rows) {
   nlohmann::ordered_json json;
   for (const auto& [key, text] : rows) {
@@ -57,22 +87,12 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
   const bool ao = measures_ao(experiment);
   if (shadows) rows.emplace_back("lights", lights);
   if (line.command != "trace") {
-    const std::string maps =
-        fmt::format("shadow maps of {}² texels, {}, {} filter", experiment.shadow.map.resolution,
-                    value_of(experiment, "shadow.technique"), value_of(experiment, "shadow.filter"));
+    const std::string maps = shadow_text(experiment);
     const std::string samples = fmt::format("{}, {} per pixel", title_of(make_technique(experiment.ao)),
                                             sampling_text(make_technique(experiment.ao)));
     rows.emplace_back("technique", !ao ? maps : !shadows ? samples : maps + "; " + samples);
   }
-  if (line.command != "raster") {
-    const TruthParams& truth = experiment.truth;
-    const std::string rays =
-        truth.tolerance > 0.0 ? fmt::format("{} to {}", truth.min_spp, truth.max_spp) : fmt::format("{}", truth.spp);
-    rows.emplace_back("reference", rays + " rays per pixel for " +
-                                       (!ao        ? "area lights"
-                                        : !shadows ? "AO"
-                                                   : "AO and area lights"));
-  }
+  if (line.command != "raster") rows.emplace_back("reference", reference_text(stages, experiment));
   rows.emplace_back("files", std::string("index.html, summary.json, images.exr, experiment.toml") +
                                  (line.no_figures ? "" : ", figures/") +
                                  (line.output.empty() ? std::string() : " in " + line.output.string()));

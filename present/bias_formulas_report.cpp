@@ -311,16 +311,13 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     std::string counts;
     for (std::size_t f = 0; f < formula_names.size(); ++f)
       counts += fmt::format("{}{} for {}", counts.empty() ? "" : ", ", most[f], formula_names[f]);
-    // Combinations that differ, and have no bias inside the axis.
-    const bool is_off_axis = std::ranges::any_of(curves.formulas, [&](const CurveFormula& of) {
-      return of.left_out > 0 && support_of(of.points).independent == of.points.size() &&
-             of.points.size() + of.left_out >= needed;
-    });
+    // Enough combinations differ, but some have no bias inside the axis.
+    const bool is_off_axis = std::ranges::any_of(
+        curves.formulas, [&](const CurveFormula& of) { return of.left_out > 0 && of.distinct >= needed; });
     const std::string text = fmt::format(
         "no formula for the bias over {}: one needs {} combinations that differ in texel size, depth per texel Δz, "
-        "filter "
-        "radius or depth step, with a bias that is not at an end of the axis (of acne: not at its lower end); there "
-        "are {}; {}",
+        "filter radius or depth step, with a bias inside the axis (where acne decides, its upper end counts as well); "
+        "there are {}; {}",
         names_of(curves.formula_axes), needed, counts,
         is_off_axis ? "extend the axis of the bias" : "vary more values, such as more resolutions");
     section.text += "\n\nThere is " + text + ".";

@@ -56,7 +56,8 @@ std::string ao_radius_text(const AoParams& params);
 /// The limit of the mean absolute error against a hard shadow, for pages that compare filters.
 inline constexpr const char* filter_caution =
     "The reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong: with a bias "
-    "that removes acne, the mean absolute error is least without a filter; with a smaller bias it may be less with a "
+    "that removes acne, the mean absolute error is usually least without a filter; with a smaller bias it may be less "
+    "with a "
     "filter, which blurs the acne. Use it to choose a bias or a resolution, not a filter.";
 
 /// The same, for the answers of a sweep or tuning over filters. `flag` measures the edges instead: "--run.metrics".

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "present/tune_text.h"
 
@@ -95,9 +96,11 @@ std::vector<std::string> ranking_lines(const TuneSummary& summary) {
     std::string line =
         name_of(summary.axes[a]) + (summary.axes.size() > 1 ? ", each at the best point found with it: " : ": ");
     for (const ComparedPoint* each : points) {
-      line += fmt::format("{}{} {}{}", each == points.front() ? "" : ", ",
-                          value_text(summary.axes[a], each->point.values[a]),
-                          cost_text(summary.goal, each->point.score.cost), kept_text(summary.goal, each->point.score));
+      const bool has_cost = std::isfinite(each->point.score.cost);
+      line += fmt::format(
+          "{}{} {}{}", each == points.front() ? "" : ", ", value_text(summary.axes[a], each->point.values[a]),
+          has_cost ? cost_text(summary.goal, each->point.score.cost) : "— (no such value in every case)",
+          kept_text(summary.goal, each->point.score));
     }
     lines.push_back(std::move(line));
   }

@@ -26,7 +26,7 @@ std::string pair_text(const TuneAxis& axis, const Value& a, const Value& b, cons
 std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const std::pair<Value, Value>& range) {
   const TuneAxis& axis = summary.axes[scan.axis];
   const bool is_exact = summary.result.plateau && axis.key() == constant_bias_key;
-  if (is_exact || !axis.is_continuous) return {};
+  if (is_exact || (!axis.is_continuous && scan.points.size() >= axis.count())) return {};
   std::optional<Value> below, above;
   for (const TunePoint& point : scan.points) {
     const Value& value = point.values[scan.axis];

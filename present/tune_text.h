@@ -20,8 +20,8 @@ std::string cost_words(const TuneGoal& goal);
 /// A statistic of the goal in words; |…| where its magnitude counts.
 std::string column_words(const TuneGoal& goal, std::size_t column);
 
-/// ", the mean of 3 cases": which number of several cases is shown, ", each the worst ..." `is_of_two`; nothing for
-/// one.
+/// ", the mean of 3 cases": which number of several cases is shown; nothing for one case. `is_of_two`: it is said of
+/// two numbers, whose worst cases may differ.
 std::string of_cases_text(const TuneGoal& goal, std::size_t cases, bool is_of_two = false);
 
 /// The cost with its interval.

@@ -39,12 +39,13 @@ inline constexpr std::array<const char*, 3> formula_names = {"least error", "acn
 /// A formula over all axes along which a fact of the bias changes, at one combination of the remaining axes.
 struct CurveFormula {
   FormulaOf of = FormulaOf::least_error;
-  std::vector<Value> others;           ///< values of BiasCurves::of_a_formula
-  std::optional<BiasFormula> formula;  ///< at the slope-scaled bias nearest to 0
-  std::vector<FormulaPoint> points;    ///< what it is fitted to
-  double slope = 0.0;                  ///< slope-scaled bias of the points, texels
-  std::size_t left_out = 0;            ///< combinations of the formula's axes that have no point
-  std::vector<std::string> warnings;   ///< why it may be poorly determined: sentences without a full stop
+  std::vector<Value> others;            ///< values of BiasCurves::of_a_formula
+  std::optional<BiasFormula> formula;   ///< at the slope-scaled bias nearest to 0
+  std::vector<FormulaPoint> points;     ///< what it is fitted to
+  double slope = 0.0;                   ///< slope-scaled bias of the points, texels
+  std::size_t left_out = 0;             ///< combinations of the formula's axes that have no point
+  std::size_t distinct = 0;             ///< combinations that differ in what it depends on, with those left out
+  std::vector<std::string> warnings{};  ///< why it may be poorly determined: sentences without a full stop
 };
 
 struct BiasCurves {

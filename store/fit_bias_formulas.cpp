@@ -70,6 +70,15 @@ void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
     of.warnings.push_back(fmt::format("the factor of {}, {:.2g} with a standard error of {:.2g}, may be 0",
                                       term_symbols[t], rounded(*fitted).value, fitted->standard_error));
   }
+  for (std::size_t t = 0; t < formula_term_count; ++t) {
+    const std::optional<Fitted>& fitted = formula.terms[t];
+    const bool is_constant = t == static_cast<std::size_t>(FormulaTerm::constant);
+    if (is_constant || !fitted || !(fitted->value < -min_significance * fitted->standard_error)) continue;
+    of.warnings.push_back(
+        fmt::format("the factor of {} is negative, although a larger {} needs no less bias: these "
+                    "points do not show its effect",
+                    term_symbols[t], term_symbols[t]));
+  }
   if (formula.independent < formula.points) {
     of.warnings.push_back(
         fmt::format("only {} of {} points are independent: those with equal texel size, Δz, filter radius and depth "
@@ -113,6 +122,16 @@ struct LeftOut {
   std::vector<Value> values;  ///< of BiasCurves::formula_axes
   FormulaPoint point;
 };
+
+// Of these combinations those that differ in what a formula depends on, whether or not they have a bias.
+std::size_t count_distinct(const std::vector<FormulaPoint>& with_bias, const std::vector<LeftOut>& left_out) {
+  std::vector<FormulaPoint> all = with_bias;
+  for (const LeftOut& left : left_out) {
+    all.push_back(left.point);
+    if (!with_bias.empty()) all.back().step = with_bias.front().step;
+  }
+  return support_of(all).independent;
+}
 
 void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<LeftOut>& left_out) {
   if (curves.curves.size() < curves.combinations) {
@@ -167,17 +186,19 @@ void add_formulas(BiasCurves& curves) {
   }
   for (const std::vector<Value>& setting : settings) {
     for (const FormulaOf kind : {FormulaOf::least_error, FormulaOf::little_acne, FormulaOf::no_acne}) {
-      CurveFormula of{kind, setting, {}, {}, flattest(curves.curves.front().optima).slope, 0, {}};
+      CurveFormula of{kind, setting, {}, {}, flattest(curves.curves.front().optima).slope};
       std::vector<LeftOut> left_out;
       for (const BiasCurve& curve : curves.curves) {
         if (select(curve.others, rest) != setting) continue;
         if (const auto point = point_of(curves, curve, kind)) {
           of.points.push_back(*point);
         } else {
-          left_out.push_back({select(curve.others, in_formula), {.facts = curve.facts}});
+          left_out.push_back(
+              {select(curve.others, in_formula), {.texel = curve.optima.mean_texel, .facts = curve.facts}});
         }
       }
       of.left_out = left_out.size();
+      of.distinct = count_distinct(of.points, left_out);
       of.formula = fit_formula(of.points, kind == FormulaOf::least_error ? AxisRounding::nearest : AxisRounding::up);
       add_warnings(curves, of, left_out);
       curves.formulas.push_back(std::move(of));

@@ -92,7 +92,7 @@ class Keywords(TypedDict, total=False):
     shadow_surface: Literal['nearest', 'midpoint', 'second', 'dual']
     """surface whose depth the map holds, of the first two that the light meets; nearest, midpoint, second or dual. Default: nearest."""
     shadow_dual_offset: float
-    """dual: largest distance behind the nearest surface [m]; a number from 0 to 1e+12. Default: 0.02."""
+    """dual: how far behind the nearest surface the stored depth lies at most [m]; a number from 0 to 1e+12. Default: 0.02."""
     shadow_polygon_offset_factor: float
     """hardware polygon offset: times the depth's slope per texel; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_polygon_offset_units: float

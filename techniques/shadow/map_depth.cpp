@@ -71,8 +71,9 @@ Parameters describe(MapDepthParams& params) {
       .choice("faces", params.faces, face_names, {.unit = {}, .meaning = "faces that cast, seen from the light"})
       .choice("surface", params.surface, surface_names,
               {.unit = {}, .meaning = "surface whose depth the map holds, of the first two that the light meets"})
-      .field("dual-offset", params.dual_offset,
-             {.unit = "m", .meaning = "dual: largest distance behind the nearest surface", .min = 0})
+      .field(
+          "dual-offset", params.dual_offset,
+          {.unit = "m", .meaning = "dual: how far behind the nearest surface the stored depth lies at most", .min = 0})
       .field("polygon-offset-factor", params.polygon_offset_factor,
              {.unit = "1", .meaning = "hardware polygon offset: times the depth's slope per texel"})
       .field("polygon-offset-units", params.polygon_offset_units,

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/gl_run.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -123,6 +124,18 @@ TEST_F(MeasuredParts, A_dry_run_names_the_parts) {
   EXPECT_NE(plan("ao").find("SSAO, 64 samples per pixel"), std::string::npos) << plan("ao");
   const std::string gtao = run("compare", {"--measure", "ao", "--dry-run", "--ao.technique", "gtao"}).out;
   EXPECT_NE(gtao.find("GTAO, 3 slices × 2 × 3 steps per pixel"), std::string::npos) << gtao;
+}
+
+TEST_F(MeasuredParts, A_dry_run_names_what_is_read_and_which_rays_are_traced) {
+  const auto plan = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--measure", "shadows", "--dry-run"});
+    return run("compare", more).out;
+  };
+  expect_words(plan({}), {" texels, pcf, nearest filter\n", "reference  1 ray per pixel for shadows\n"});
+  expect_words(plan({"--shadow.technique", "vsm"}), {" texels, vsm\n"});
+  expect_words(plan({"--shadow.technique", "screen-space"}), {"technique  screen-space\n"});
+  expect_words(plan({"--truth.shadow", "pixel"}), {"reference  4 rays per pixel for the shadow of sun\n"});
+  expect_words(plan({"--light.angle", "2", "--truth.shadow", "point"}), {"1 ray per pixel for shadows\n"});
 }
 
 }  // namespace

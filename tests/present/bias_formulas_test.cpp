@@ -226,6 +226,42 @@ TEST(BiasFormulas, Over_the_resolution_alone_a_figure_shows_the_bias_against_the
   EXPECT_NEAR(to_number(figure.data.rows[0][1]), to_number(figure.data.rows[1][1]), 1e-9);
 }
 
+TEST(BiasFormulas, A_factor_that_is_negative_is_named) {
+  BiasCurves curves = make_curves();
+  std::erase_if(curves.curves, [](const BiasCurve& curve) { return curve.facts.radius != 0.0; });
+  for (BiasCurve& curve : curves.curves)
+    curve.optima.lines[0].least_error->constant = 0.2 - 0.5 * curve.facts.depth_per_texel;
+  add_formulas(curves);
+  const CurveFormula& of = curves.formulas.front();
+  ASSERT_TRUE(of.formula);
+  EXPECT_LT(of.formula->term(FormulaTerm::slope)->value, 0.0);
+  EXPECT_EQ(std::ranges::count_if(
+                of.warnings, [](const std::string& text) { return text.find("the factor of Δz is negative") == 0; }),
+            1);
+}
+
+// Of three filters two have the same reach, and the third has no bias on the axis: a longer one gives no third point.
+TEST(BiasFormulas, A_longer_axis_is_advised_only_where_it_can_give_a_formula) {
+  const auto advice = [](double radius_of_third) {
+    BiasCurves curves;
+    curves.others = {{"shadow.filter", "", ""}};
+    curves.varies_constant = true;
+    for (int mm = 0; mm <= 600; ++mm) curves.constants.push_back(0.001 * mm);
+    curves.curves = {curve_at({std::string("a")}, 0.1, 0.2, 0.0, 0.1), curve_at({std::string("b")}, 0.1, 0.2, 1.0, 0.3),
+                     curve_at({std::string("c")}, 0.1, 0.2, radius_of_third, 0.6)};
+    BiasLine& third = curves.curves[2].optima.lines[0];
+    third.little_acne = third.acne_free = std::nullopt;
+    curves.combinations = 3;
+    add_formulas(curves);
+    Presentation presentation;
+    present_formulas(presentation, curves);
+    EXPECT_FALSE(curves.formulas.front().formula);
+    return presentation.lines.empty() ? std::string() : presentation.lines.front();
+  };
+  EXPECT_NE(advice(2.0).find("extend the axis of the bias"), std::string::npos) << advice(2.0);
+  EXPECT_NE(advice(1.0).find("vary more values"), std::string::npos) << advice(1.0);
+}
+
 TEST(BiasFormulas, A_point_is_known_to_within_its_interval_of_the_axis) {
   BiasCurves curves;
   curves.others = {{"shadow.resolution", "texels", ""}};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "experiments/settings/experiment.h"
 #include "present/tune_comparison.h"
 #include "tests/support/expect_words.h"
@@ -31,6 +33,27 @@ TEST(TuneSensitivity, A_point_beside_the_search_that_is_better_than_its_best_one
   summary.result.scans[0].points.push_back(point(1.75, 0.04));
   ASSERT_EQ(missed_points(summary).size(), 1u);
   expect_words(missed_points(summary)[0], {"ao.radius: the search missed 1.75 m", "--evaluations"});
+}
+
+TEST(TuneSensitivity, Of_an_axis_of_many_whole_numbers_the_measured_ones_are_named) {
+  const auto at = [](std::int64_t resolution, double cost) {
+    TunePoint each{{resolution}, {}, {}};
+    each.score.cost = cost;
+    return each;
+  };
+  TuneSummary summary = summary_of("shadow.resolution", "256:2048:log", "shadow", at(2037, 0.01));
+  summary.result.limit = {0.0105};
+  summary.result.scans = {{0, {at(1947, 0.012), at(2037, 0.01), at(2048, 0.011)}}};
+  EXPECT_EQ(to_string(sensitivity_table(summary).rows[0][3]), "2037 texels; no longer at 1947 and 2048 texels");
+}
+
+TEST(TuneComparison, A_word_without_a_cost_says_why) {
+  TuneSummary summary = summary_of("shadow.filter", "nearest,box", "shadow", {{std::string("nearest")}, {}, {}});
+  TunePoint none{{std::string("box")}, {}, {}};
+  none.score.cost = std::numeric_limits<double>::quiet_NaN();
+  summary.judgement.compared = {{0, summary.result.best, {}, {}, true}, {0, none, {}, {}}};
+  EXPECT_NE(ranking_lines(summary).at(0).find("box — (no such value in every case)"), std::string::npos)
+      << ranking_lines(summary).at(0);
 }
 
 TEST(TuneComparison, What_a_word_does_not_read_is_no_part_of_its_best_point) {
