@@ -162,7 +162,10 @@ void add_warnings(const TuneRun& run, TuneSummary& summary) {
       const Experiment used = at_point(each, summary.axes, point_to_use(summary.result).values);
       const SampledError error = measure_ao(*each.stages, used, {}).statistics->error;
       const std::string warning = no_ao_text(error.mae, error.mean_truth, error.mean_raster);
-      if (!warning.empty()) warnings.push_back(each.title + ", with the point to use: " + warning);
+      if (!warning.empty()) {
+        warnings.push_back(fmt::format("{}, at the {} point: {}", each.title,
+                                       summary.result.recommended ? "recommended" : "best", warning));
+      }
     }
   }
 }

@@ -316,8 +316,7 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
         curves.formulas, [&](const CurveFormula& of) { return of.left_out > 0 && of.distinct >= needed; });
     const std::string text = fmt::format(
         "no formula for the bias over {}: one needs {} combinations that differ in texel size, depth per texel Δz, "
-        "filter radius or depth step, with a bias inside the axis (where acne decides, its upper end counts as well); "
-        "there are {}; {}",
+        "filter radius or depth step; there are {}, without those whose bias may lie beyond an end of the axis; {}",
         names_of(curves.formula_axes), needed, counts,
         is_off_axis ? "extend the axis of the bias" : "vary more values, such as more resolutions");
     section.text += "\n\nThere is " + text + ".";

@@ -115,7 +115,10 @@ TuneGoal not_relative(TuneGoal goal) {
   return goal;
 }
 
-std::string cost_name(const TuneGoal& goal) { return goal.text + (goal.is_relative ? " / default" : ""); }
+std::string cost_name(const TuneGoal& goal) {
+  if (!goal.is_relative) return goal.text;
+  return (goal.terms.size() > 1 ? "(" + goal.text + ")" : goal.text) + " / default";
+}
 
 TuneGoal with_metrics(TuneGoal goal, const RunParams& run, const std::string& kind) {
   for (const MetricColumn& column : metric_columns(run, kind == "shadow")) {

@@ -198,7 +198,7 @@ class Keywords(TypedDict, total=False):
     shadow_screen_plane: bool
     """screen-space shadows: only what lies before the receiver's plane blocks; true or false. Default: True."""
     ao_samples: int
-    """samples per pixel; an integer from 1 to 1024. Default: 64."""
+    """samples per pixel; not of HBAO, GTAO and the bitmask; an integer from 1 to 1024. Default: 64."""
     ao_radius: float | str
     """radius of the sampled hemisphere [m]; a length from 1e-06 to 1e+12 in m (2cm, 20mm), % of the scene's size (2%). Default: 2%."""
     ao_bias: float | str
@@ -214,9 +214,9 @@ class Keywords(TypedDict, total=False):
     ao_kernel: Literal['learnopengl', 'progressive']
     """points of hemisphere SSAO: random as in Learn OpenGL, or a sequence that more samples extend; learnopengl or progressive. Default: learnopengl."""
     ao_slices: int
-    """slices per pixel; an integer from 1 to 256. Default: 3."""
+    """GTAO and bitmask: slices per pixel; an integer from 1 to 256. Default: 3."""
     ao_steps: int
-    """samples on each side of a slice; an integer from 1 to 1024. Default: 3."""
+    """GTAO and bitmask: samples on each side of a slice; an integer from 1 to 1024. Default: 3."""
     ao_slice_spacing: Literal['image', 'angle']
     """slices are even in the image, or in angle about the direction to the viewer; image or angle. Default: image."""
     ao_gtao_radius_multiplier: float

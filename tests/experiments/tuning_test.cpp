@@ -109,6 +109,10 @@ TEST(TuneGoal, Relative_cost_counts_each_case_in_multiples_of_the_default) {
     EXPECT_DOUBLE_EQ(total_cost(known, {{0.1}, {0.4}}), is_worst ? 1.0 : 0.75);
     EXPECT_DOUBLE_EQ(total_cost(not_relative(known), {{0.1}, {0.4}}), is_worst ? 0.4 : 0.25);
     EXPECT_EQ(cost_name(known), "mae / default");
+    TuneGoal sum = known;
+    sum.text = "mae + 2*acne";
+    sum.terms.push_back({.weight = 2.0});
+    EXPECT_EQ(cost_name(sum), "(mae + 2*acne) / default");
     EXPECT_NE(refusal([&] { relative_to(relative, {{0.2}, {0.0}}); }).find("without --relative"), std::string::npos);
   }
 }
