@@ -283,7 +283,7 @@ void add_tune_options(CLI::App& command, CommandLine& line) {
             "check the result on view.camera=LIST or scene=NAME; repeatable (default: a camera that no case uses)")
       ->take_all();
   add_value(command, "--evaluations", tune.evaluations, "N",
-            "max evaluations of all cases (30 for each searched axis, more if words are varied)")
+            "max evaluations of the search, before each axis is measured (30 for each axis, more with words)")
       ->check(number_between(1, 1000000));
   add_value(command, "--minutes", tune.minutes, "X", "end the search after this time")
       ->check(number_between(0.001, 1e6));

@@ -152,7 +152,8 @@ void add_warnings(const TuneRun& run, TuneSummary& summary) {
     const bool is_hard = std::ranges::any_of(
         run.cases, [](const TuneCase& each) { return !each.stages->is_sampled(each.experiment, each.light); });
     const bool minimizes_edges = measures_edges(joined(run.job.goal.columns, ",", &Column::name));
-    if (is_hard && varies_filter(axes) && !minimizes_edges)
+    Experiment experiment = first.experiment;
+    if (is_hard && varies_filter(axes, describe(experiment)) && !minimizes_edges)
       warnings.push_back(filter_warning(filter_remedy("--minimize")));
     if (needs_biases(axes)) warnings.emplace_back(one_bias_warning);
   }

@@ -54,8 +54,8 @@ std::string difference_text(const ComparedValue& value) {
 }
 
 std::string verdict_text(const ComparedValue& value) {
-  const std::string test =
-      value.blocks > 0 ? fmt::format("paired over {} blocks of the image", value.blocks) : "from the intervals";
+  const std::string test = value.blocks > 0 ? fmt::format("paired over {} blocks of the image", value.blocks)
+                                            : "not paired: from both intervals";
   switch (value.verdict) {
     case Verdict::base:
       return "—";

@@ -218,7 +218,8 @@ std::string error_text(const Table& table, const std::vector<Value>& row) {
 // Whether the cells differ in their filter, and are measured against a hard shadow.
 bool compares_filters(const SweepResults& sweep) {
   return sweep.quantity() == SweptQuantity::visibility &&
-         !std::holds_alternative<SoftVisibilityStatistics>(sweep.statistics) && varies_filter(sweep.plan.axes);
+         !std::holds_alternative<SoftVisibilityStatistics>(sweep.statistics) &&
+         varies_filter(sweep.plan.axes, sweep.parameters);
 }
 
 bool has_edges(const SweepResults& sweep) {

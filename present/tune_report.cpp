@@ -165,8 +165,8 @@ std::string bias_range_text(const TuneSummary& summary) {
 
 std::string method_text(const TuneSummary& summary) {
   const TuneResult& result = summary.result;
-  return fmt::format("Search: {}; {} of {}{}.", result.method, count_text(result.evaluations, "evaluation"),
-                     count_text(summary.cases.size(), "case"),
+  return fmt::format("Search: {}; {} of {}{}; then each axis from the best point.", result.method,
+                     count_text(result.evaluations, "evaluation"), count_text(summary.cases.size(), "case"),
                      result.stopped_by.empty() ? "" : ", stopped after " + result.stopped_by);
 }
 

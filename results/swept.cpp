@@ -45,8 +45,15 @@ bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group) {
   return std::ranges::any_of(axes, [&](const SweepAxis& axis) { return axis.key.rfind(group, 0) == 0; });
 }
 
-bool varies_filter(const std::vector<SweepAxis>& axes) {
-  return varies_group(axes, "shadow.filter") || varies_group(axes, "shadow.technique");
+bool varies_filter(const std::vector<SweepAxis>& axes, const Parameters& parameters) {
+  if (varies_group(axes, "shadow.filter")) return true;
+  const bool has_filter = to_string(require(parameters, "shadow.filter").value()) != "nearest";
+  return std::ranges::any_of(axes, [&](const SweepAxis& axis) {
+    return axis.key == "shadow.technique" && std::ranges::any_of(axis.values, [&](const Value& value) {
+             const std::string technique = to_string(value);
+             return has_filter || (technique != "pcf" && technique != "pcss");
+           });
+  });
 }
 
 bool needs_biases(const std::vector<SweepAxis>& axes) {

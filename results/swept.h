@@ -20,8 +20,9 @@ SweptQuantity quantity_of(const CellStatistics& statistics);
 /// Whether an axis varies a parameter whose name begins with `group`: "ao.", "view.scene".
 bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group);
 
-/// Whether an axis varies the filter of shadows, or their technique.
-bool varies_filter(const std::vector<SweepAxis>& axes);
+/// Whether an axis varies how hard shadows are blurred: the filter, or the technique. Without a filter, PCF and PCSS of
+/// a light without extent are the same. `parameters` are of the experiment.
+bool varies_filter(const std::vector<SweepAxis>& axes, const Parameters& parameters);
 /// Whether an axis varies the reach of the filter, while the constant bias stays the same.
 bool needs_biases(const std::vector<SweepAxis>& axes);
 

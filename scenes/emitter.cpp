@@ -113,7 +113,8 @@ void require_sense(const LightParams& params, std::span<const Light> lights) {
   const EmitterSizes sizes = sizes_of(params);
   const std::string why = objection(sizes);
   if (!why.empty())
-    throw Error(ExitCode::usage, "light.*", "invalid light: " + why, "give one extent; 0 is none, -1 the scene's");
+    throw Error(ExitCode::usage, "light.*", "invalid light: " + why,
+                "give one extent, of 0 (none) or more; -1 is the scene's");
   const bool any_directional = std::ranges::any_of(lights, is_directional);
   const bool all_directional = std::ranges::all_of(lights, is_directional);
   if (sizes.angular_diameter && !any_directional) {

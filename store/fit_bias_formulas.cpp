@@ -162,7 +162,7 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
   }
   if (outside > 0) {
     const std::string one = setting_text(curves.formula_axes, first);
-    of.warnings.push_back("the formula is extrapolated for " +
+    of.warnings.push_back("of those left out, the formula's range does not reach " +
                           (outside == 1 ? one : fmt::format("{} combinations, one of them {}", outside, one)));
   }
   add_fit_warnings(of, *of.formula);

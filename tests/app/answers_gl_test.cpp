@@ -242,6 +242,13 @@ TEST_F(Answers, Where_filters_are_compared_the_page_says_what_the_error_cannot_d
                                 "--vary", "shadow.filter=nearest,box"},
                                "soft");
   EXPECT_EQ(soft.find(warning), std::string::npos) << "a soft shadow ranks filters";
+  const auto techniques = [&](const char* filter) {
+    return run(
+        {"sweep", "contact-box", "--light", "0", "--shadow.filter", filter, "--vary", "shadow.technique=pcf,pcss"},
+        "techniques");
+  };
+  EXPECT_EQ(techniques("nearest").find(warning), std::string::npos) << "without extent PCSS blurs nothing";
+  EXPECT_NE(techniques("box").find(warning), std::string::npos);
   EXPECT_NE(text_of(folder_ / "out/index.html").find("not a filter"), std::string::npos);
   EXPECT_NE(text_of(folder_ / "out/index.html").find("Ambient occlusion: none."), std::string::npos);
   run({"compare", "contact-box", "--light", "0", "--shadow.filter", "box"}, "box");

@@ -201,7 +201,8 @@ TEST(BiasFormulas, A_bias_at_the_end_of_the_axis_is_left_out_and_extrapolated) {
   ASSERT_EQ(of.warnings.size(), 3u);
   EXPECT_EQ(of.warnings[0].find("3 of 9 combinations are left out"), 0u) << of.warnings[0];
   EXPECT_EQ(of.warnings[1],
-            "the formula is extrapolated for 3 combinations, one of them resolution 200, filter-size 5");
+            "of those left out, the formula's range does not reach 3 combinations, one of them resolution 200, "
+            "filter-size 5");
   EXPECT_EQ(of.warnings[2].find("r, the filter radius, takes only 2 values"), 0u) << of.warnings[2];
 }
 
