@@ -226,8 +226,8 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=
-          " An interval marked * covers the noise of the reference only, because the images of the run do not give "
-          "this statistic.";
+          " An interval marked * covers the noise of the reference only: counted pixels lie in too few blocks of the "
+          "image, or the images of the run do not give this statistic.";
     }
     if (has_cell(part.values, [](const std::string& text) { return text == "—"; })) {
       section.text += " A dash stands where a run has no such statistic; filtered shadow maps, for one, have no acne.";

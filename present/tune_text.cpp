@@ -57,7 +57,8 @@ std::string of_cases_text(const TuneGoal& goal, std::size_t cases, bool is_of_tw
 
 std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval) {
   const std::string unit = cost_unit(goal);
-  if (!interval || !(interval->upper > interval->lower)) return statistic_text(value, unit);
+  // A ratio to itself has an interval of rounding alone.
+  if (!interval || !(interval->upper - interval->lower > 1e-9 * std::abs(value))) return statistic_text(value, unit);
   return unit == "1" ? percent(*interval) : estimate_text(*interval, unit);
 }
 
