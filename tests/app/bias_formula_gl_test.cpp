@@ -44,7 +44,7 @@ TEST_F(BiasFormulaRun, Of_a_plane_is_half_the_depth_per_texel_and_once_more_for_
   EXPECT_NE(formula.at("bias_m").get<std::string>().find(" * radius * depth_per_texel"), std::string::npos);
 }
 
-TEST_F(BiasFormulaRun, Warns_of_optima_at_the_end_of_the_axis_and_of_extrapolation) {
+TEST_F(BiasFormulaRun, Warns_of_optima_at_the_end_of_the_axis_and_of_what_the_formula_does_not_reach) {
   // With 5 × 5 taps at 60° the bias needed is 2.5 · 1.73 = 4.3 texels, beyond the axis.
   const std::filesystem::path out = folder_ / "out";
   const ProgramResult result = run_program(
@@ -54,7 +54,7 @@ TEST_F(BiasFormulaRun, Warns_of_optima_at_the_end_of_the_axis_and_of_extrapolati
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("formula (normal-offset 0, no acne): bias ≈ ("), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("2 of 6 combinations are left out"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("extrapolated for 2 combinations, one of them filter-size 5, resolution 256"),
+  EXPECT_NE(result.out.find("range does not reach 2 combinations, one of them filter-size 5, resolution 256"),
             std::string::npos)
       << result.out;
   EXPECT_NE(result.out.find("r, the filter radius, takes only 2 values"), std::string::npos) << result.out;
