@@ -273,7 +273,7 @@ TEST_F(ForEngines, A_number_in_metres_is_searched_in_metres) {
               in_metres.at("recommended").at("constant_bias").at("m").get<double>(), 1e-9);
 }
 
-// In which unit the run has its bias must not change what an engine with one number for all places is told.
+// An engine with one number for all places gets the same number, whatever unit the bias of the run has.
 TEST_F(ForEngines, One_number_for_all_places_is_searched_along_it_whatever_the_unit_of_the_run) {
   struct Case {
     const char* engine;
