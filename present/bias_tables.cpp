@@ -146,14 +146,19 @@ Table in_digits(Table table, std::size_t first_column) {
   return table;
 }
 
+// A value of the axis, as it was given.
+std::string on_axis_text(const BiasCurves& curves, double constant) {
+  const int digits = digits_on_axis(curves.constants, constant);
+  return curves.unit == LengthUnit::metres
+             ? metres_text(constant, digits)
+             : with_minus(fmt::format("{:.{}g} {}", constant, digits, unit_name(curves.unit)));
+}
+
 // "3.6 texels (4.28 cm on average)".
 std::string constant_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
   const BiasInUnits bias = in_units(curves, curve, cell);
-  const int given = digits_on_axis(curves.constants, cell.constant);
   const int digits = digits_of_step(curves.constants, cell.constant);
-  std::string text = curves.unit == LengthUnit::metres
-                         ? metres_text(cell.constant, given)
-                         : with_minus(fmt::format("{:.{}g} {}", cell.constant, given, unit_name(curves.unit)));
+  std::string text = on_axis_text(curves, cell.constant);
   const char* average = curve.texels_differ ? " on average" : "";
   if (curves.unit == LengthUnit::texels) {
     text += fmt::format(" ({}{})", metres_text(bias.metres, digits), average);
@@ -185,6 +190,10 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
                                   little ? constant_text(curves, curve, *little) : "", true);
   }
   if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";
+  if (curve.coarse) {
+    text += fmt::format("; between {} and {} a bias that was not swept may have less than half this error",
+                        on_axis_text(curves, curve.coarse->first), on_axis_text(curves, curve.coarse->second));
+  }
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "present/presentation_parts.h"
+#include "present/scene_report.h"
 #include "reports/files/text_layout.h"
 
 namespace umbrameter {

@@ -59,7 +59,8 @@ std::string comparison(const TuneSummary& summary, const char* what, const TuneP
   const TuneGoal& goal = summary.goal;
   const TunePoint& best = summary.result.best;
   const bool breaks = !other.score.is_kept();
-  return fmt::format("{}, {}{}: {}{}; {}", what, point_text(summary.axes, other.values),
+  constexpr int digits = 5;  // its cost is of this very point
+  return fmt::format("{}, {}{}: {}{}; {}", what, point_text(summary.axes, other.values, digits),
                      is_better(other.score, best.score) ? " (not on the axes)" : "", cost_text(goal, other.score.cost),
                      !breaks                ? ""
                      : best.score.is_kept() ? ", but breaks a constraint that the best point keeps"

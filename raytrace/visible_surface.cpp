@@ -188,7 +188,7 @@ bool VisibleSurface::is_joined(std::size_t pixel, std::size_t neighbour) const {
   }
   for (unsigned side = 0; side < sides; ++side) {
     if (has_neighbour(pixel, side) && neighbour_of(pixel, side) == neighbour) {
-      return (facets_[pixel].joined >> side & 1u) != 0;
+      return (facets_[pixel].joined & 1U << side) != 0;
     }
   }
   return false;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "compare/bias_curves.h"
@@ -30,6 +31,9 @@ struct BiasCurve {
   std::optional<BiasPlateau> plateau{};  ///< along the constant bias, at the slope-scaled bias of least error
   BiasEvidence evidence{};
   std::optional<NoBias> withheld{};  ///< why plateau->recommended is not recommended
+  /// Where the axis is too coarse: a bias between these two values of it may have less than half the error of
+  /// plateau->least, by least_possible_error().
+  std::optional<std::pair<double, double>> coarse{};
 };
 
 /// The bias of a BiasLine to which a formula is fitted.

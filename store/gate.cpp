@@ -99,8 +99,10 @@ GateCheck check(const BudgetEntry& entry, const MeasuredStatistic& measured) {
   const double value = value_for(entry, measured);
   result.is_kept = holds(value, entry.bound.relation, result.bound);  // false for NaN
   result.excess = is_upper(entry.bound.relation) ? value - result.bound : result.bound - value;
-  result.intervals =
-      measured.half_width > 0.0 ? result.excess / measured.half_width : std::numeric_limits<double>::quiet_NaN();
+  // A bound below the value is met by the interval's lower half, which is longer where noise adds to an error.
+  const bool is_below = (value > result.bound) != (value != measured.value);
+  const double half = is_below ? measured.value - measured.lower : measured.half_width;
+  result.intervals = half > 0.0 ? result.excess / half : std::numeric_limits<double>::quiet_NaN();
   return result;
 }
 

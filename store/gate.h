@@ -26,7 +26,7 @@ struct MeasuredStatistic {
   std::string unit;            ///< empty if it is not a known statistic
   double value = 0.0;          ///< NaN if nothing was measured
   double lower = 0.0;          ///< end of its interval over rays, which holds the value without noise; else the value
-  double half_width = 0.0;     ///< how far other rays may move the value, 95 % of them; 0 where nothing was sampled
+  double half_width = 0.0;     ///< how far other rays may move the value up, 95 % of them; 0 where nothing was sampled
   int degrees_of_freedom = 0;  ///< of the reference's variance of each pixel; 0 if not known
   double pixel_share = 0.0;    ///< what a whole pixel adds to a share whose reference is exact; else 0
   /// What a bound allows beyond a value: the noise of other rays, else 1 % and at least a pixel. Without rays a value
@@ -48,7 +48,7 @@ struct GateCheck {
   double bound = 0.0;                         ///< in the statistic's unit
   bool is_kept = false;
   double excess = 0.0;     ///< how far the value is beyond the bound, in its unit; negative if it keeps the bound
-  double intervals = 0.0;  ///< the excess in half widths; NaN without an interval
+  double intervals = 0.0;  ///< the excess over the interval's half towards the bound; NaN without an interval
 };
 
 /// Holds each budget against every statistic that it names; a budget that names none fails. Throws Error (usage) for an

@@ -107,6 +107,8 @@ void add_plateaus(BiasCurves& curves, const SweepResults& sweep) {
     }
     curve.plateau = plateau_of(cells, {}, curve.evidence.pixels);
     curve.withheld = reason_against_on_axis(*curve.plateau, curve.evidence);
+    const std::vector<std::size_t> gaps = intervals_below(cells, 0.5 * curve.plateau->least.mae);
+    if (!gaps.empty()) curve.coarse = {cells[gaps.front()].constant, cells[gaps.back() + 1].constant};
   }
 }
 

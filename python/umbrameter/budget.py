@@ -35,9 +35,9 @@ class Check:
     light: str  #: name; empty unless of a shadow
     run: str = ""  #: name of the run's folder; empty where no run measured it
     value: float = math.nan  #: in `unit`; NaN where no run measured it or no pixel counts
-    half_width_95: float = math.nan  #: how far other rays may move the value, 95 % of them; 0 where nothing was sampled
+    half_width_95: float = math.nan  #: how far other rays may move the value up, 95 % of them; 0 where nothing was sampled
     excess: float = math.nan  #: how far the value is beyond the bound, in `unit`; negative where it is kept
-    excess_in_intervals: float = math.nan  #: the excess in half widths; NaN without an interval
+    excess_in_intervals: float = math.nan  #: in halves of the 95 % interval, towards the bound; NaN without one
 
     def __str__(self) -> str:
         """One line: where, value and bound."""

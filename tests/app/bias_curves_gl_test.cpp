@@ -40,6 +40,23 @@ TEST_F(BiasCurvesRun, The_formula_of_a_plane_is_half_the_depth_per_texel) {
   EXPECT_LT(formula.at("residual_m").get<double>(), 0.001);
 }
 
+// Metres, where texels were meant: the box's shadow is gone at every bias but 0, which has acne.
+TEST_F(BiasCurvesRun, Of_a_coarse_axis_the_answer_says_where_a_better_bias_may_be) {
+  const auto answer = [&](const char* biases) {
+    const ProgramResult result =
+        run_program({"sweep", "contact-box", "-o", folder_ / "out", "--force", "--light", "sun", "--size", "160x90",
+                     "--quiet", "--vary", std::string("shadow.constant-bias=") + biases});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out;
+  };
+  const std::string coarse = answer("0,2,4");
+  EXPECT_NE(coarse.find("between 0 m and 2 m a bias that was not swept may have less than half this error"),
+            std::string::npos)
+      << coarse;
+  const std::string fine = answer("0:0.1:41");
+  EXPECT_EQ(fine.find("that was not swept"), std::string::npos) << fine;
+}
+
 // Rings of a figure: points in that ink.
 std::size_t count_rings(const std::filesystem::path& svg, const std::string& ink) {
   const std::string text = text_of(svg);

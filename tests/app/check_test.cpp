@@ -68,7 +68,8 @@ TEST_F(Check, Only_the_rays_of_a_sampled_reference_give_an_interval) {
   EXPECT_EQ(checks[0]["half_width_95"], 0.0);
   EXPECT_TRUE(checks[0]["excess_in_intervals"].is_null());
   EXPECT_NEAR(checks[1]["half_width_95"], 0.01, 1e-12);
-  EXPECT_NEAR(checks[1]["excess_in_intervals"], 3.0, 1e-9);  // (0.1 − 0.07) / 0.01
+  // The bound lies below: (0.1 − 0.07) / (0.1 − 0.06). Noise of the rays can explain all of it.
+  EXPECT_NEAR(checks[1]["excess_in_intervals"], 0.75, 1e-9);
 }
 
 // Alone, the second run fails as not measured.
