@@ -23,29 +23,21 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, Stages& stages,
                               store.path().string(), store.discarded()));
   }
   if (kept > 0) note(console, fmt::format("{} of {} cells are done; resuming", kept, plan.cells));
-  try {
-    ProgressBar bar(console, "cells");
-    SweepProgress progress{count_references(plan)};
-    const auto show = [&] {
-      const auto done = static_cast<std::size_t>(std::llround(progress.cells * static_cast<double>(plan.cells)));
-      bar.show(progress.share, fmt::format("{} of {}", done, plan.cells));
-    };
-    stages.report_tracing([&](double share) {
-      advance_tracing(progress, share);
-      show();
-    });
-    run_sweep(plan, store, evaluate, [&](double share) {
-      advance_cells(progress, share);
-      show();
-    });
-    stages.report_tracing({});
-  } catch (const Error& error) {
-    if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) throw;
-    if (store.count() == 0) throw_if_interrupted("no cell is done; rerun the command to start over");
-    throw_if_interrupted(fmt::format("{} of {} cells are stored in {}; rerun the command to resume", store.count(),
-                                     plan.cells, store.path().string()));
-    throw;
-  }
+  ProgressBar bar(console, "cells");
+  SweepProgress progress{count_references(plan)};
+  const auto show = [&] {
+    const auto done = static_cast<std::size_t>(std::llround(progress.cells * static_cast<double>(plan.cells)));
+    bar.show(progress.share, fmt::format("{} of {}", done, plan.cells));
+  };
+  stages.report_tracing([&](double share) {
+    advance_tracing(progress, share);
+    show();
+  });
+  run_sweep(plan, store, evaluate, [&](double share) {
+    advance_cells(progress, share);
+    show();
+  });
+  stages.report_tracing({});
 }
 
 }  // namespace
@@ -68,23 +60,33 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   RunFolder& folder = *run_folder;
   folder.announce(ResultsStore::file_names());
   ResultsStore store = ResultsStore::open(line.output, sweep.description(), line.force);
-  if (store.complete()) {
-    note(console, fmt::format("all {} cells are done; --force recomputes them", sweep.plan.cells));
-  } else {
-    const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
-    bool is_begun = false;
-    measure_missing(
-        sweep.plan, store, stages,
-        [&](const CellGroup& group, const RowSink& keep) {
-          evaluate(group, keep);
-          if (std::exchange(is_begun, true)) return;
-          // What makes no sense has shown by now: only then earlier results give way.
-          folder.begin();
-          write_text(folder.path() / "experiment.toml", experiment_text(sweep.given));
-        },
-        console);
-  }
-  return write_sweep(sweep, store, folder, console);
+  const auto measure_and_write = [&] {
+    if (store.complete()) {
+      note(console, fmt::format("all {} cells are done; --force recomputes them", sweep.plan.cells));
+    } else {
+      const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
+      const auto begin = [&] {
+        folder.begin();
+        write_text(folder.path() / "experiment.toml", experiment_text(sweep.given));
+      };
+      // What makes no sense shows before the first group is measured: only then earlier results give way.
+      bool is_begun = store.count() > 0;
+      if (is_begun) begin();
+      measure_missing(
+          sweep.plan, store, stages,
+          [&](const CellGroup& group, const RowSink& keep) {
+            evaluate(group, keep);
+            if (!std::exchange(is_begun, true)) begin();
+          },
+          console);
+    }
+    return write_sweep(sweep, store, folder, console);
+  };
+  return resumable(measure_and_write, [&]() -> std::string {
+    if (store.count() == 0) return "no cell is done; rerun the command to start over";
+    return fmt::format("{} of {} cells are stored in {}; rerun the command to resume", store.count(), sweep.plan.cells,
+                       store.path().string());
+  });
 }
 
 }  // namespace umbrameter

@@ -58,24 +58,16 @@ std::string tuned_text(const TuneJob& job, const TuneSummary& summary) {
          bias_comment(summary) + experiment_text(tuned);
 }
 
-TuneResult search(TuneRun& run, TuneJournal& journal, const std::filesystem::path& folder, const Console& console) {
+TuneResult search(TuneRun& run, TuneJournal& journal, const Console& console) {
   const TuneJob& job = run.job;
   const TuneInput input{job.axes, run.cases, job.goal, {run.line.tune.evaluations, run.line.tune.minutes}, job.given};
   for (const TuneCase& each : run.cases) each.stages->report_tracing([](double) {});
-  try {
-    ProgressBar bar(console, "evaluations");
-    bar.show(0.0);
-    TuneResult result = tune(input, journal, [&](std::size_t done, std::size_t all, const TuneScore& best) {
-      bar.show(static_cast<double>(done) / static_cast<double>(all),
-               fmt::format("{} of at most {}, {} {}", done, all, job.goal.text, cost_text(job.goal, best.cost)));
-    });
-    return result;
-  } catch (const Error& error) {
-    if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) throw;
-    throw_if_interrupted(fmt::format("{} evaluations are stored in {}; rerun the command to resume", journal.count(),
-                                     (folder / tune_journal_name).string()));
-    throw;
-  }
+  ProgressBar bar(console, "evaluations");
+  bar.show(0.0);
+  return tune(input, journal, [&](std::size_t done, std::size_t all, const TuneScore& best) {
+    bar.show(static_cast<double>(done) / static_cast<double>(all),
+             fmt::format("{} of at most {}, {} {}", done, all, job.goal.text, cost_text(job.goal, best.cost)));
+  });
 }
 
 std::vector<TunePointImages> measure_points(const TuneCase& first, const TuneSummary& summary) {
@@ -149,12 +141,19 @@ void add_warnings(const TuneRun& run, TuneSummary& summary) {
                     words, summary.result.evaluations, summary.result.usual_evaluations));
   }
   if (first.quantity == SweptQuantity::visibility) {
-    const bool is_hard = std::ranges::any_of(
-        run.cases, [](const TuneCase& each) { return !each.stages->is_sampled(each.experiment, each.light); });
+    std::vector<std::string> hard;
+    for (const TuneCase& each : run.cases) {
+      if (!each.stages->is_sampled(each.experiment, each.light)) hard.push_back(each.title);
+    }
+    const std::size_t others = hard.empty() ? 0 : hard.size() - 1;
     const bool minimizes_edges = measures_edges(joined(run.job.goal.columns, ",", &Column::name));
     Experiment experiment = first.experiment;
-    if (is_hard && varies_filter(axes, describe(experiment)) && !minimizes_edges)
-      warnings.push_back(filter_warning(filter_remedy("--minimize")));
+    if (!hard.empty() && varies_filter(axes, describe(experiment)) && !minimizes_edges) {
+      const std::string more = others == 0 ? "" : fmt::format(" and {} more case{}", others, others == 1 ? "" : "s");
+      const bool is_some = hard.size() < run.cases.size();
+      warnings.push_back(filter_warning(filter_remedy("--minimize"),
+                                        is_some ? fmt::format(", here of {}{},", hard.front(), more) : ""));
+    }
     if (needs_biases(axes)) warnings.emplace_back(one_bias_warning);
   }
   // It is of the mean absolute error: another cost may rank no AO otherwise.
@@ -211,25 +210,11 @@ std::vector<std::string> tune_files() {
           "summary.json",    "index.html", tune_journal_name};
 }
 
-}  // namespace
-
-RunPlan plan_of(const TuneRun& run) { return {"tune", experiment_of(run.job, run.line.tune), tune_files()}; }
-
-ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measured, const Console& console) {
+ExitCode search_and_write(TuneRun& run, TuneJournal& journal, RunFolder& folder, const MeasuredPoints& measured,
+                          const Console& console) {
   const CommandLine& line = run.line;
   const TuneJob& job = run.job;
-  for (const TuneCase& each : run.cases) prepare(each);
-  const std::filesystem::path journal_path = folder.path() / tune_journal_name;
-  if (line.force) std::filesystem::remove(journal_path);
-  folder.announce({tune_journal_name});
-  TuneJournal journal(journal_path, run.identity());
-  folder.begin();
-  write_text(folder.path() / "experiment.toml", experiment_of(job, line.tune));
-  if (journal.count() > 0) note(console, fmt::format("{} evaluations are done; resuming", journal.count()));
-  for (const auto& [key, record] : measured.points) {
-    if (journal.find(key) == nullptr) journal.add(key, record);
-  }
-  const TuneResult result = search(run, journal, folder.path(), console);
+  const TuneResult result = search(run, journal, console);
 
   const TuneJudgement judgement = [&] {
     ProgressBar bar(console, "significance");
@@ -266,9 +251,34 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
       : summary.result.recommended ? " with " + point_text(summary.axes, summary.result.recommended->values)
                                    : "",
       is_of_one_view ? "" : ", which measures one scene and camera: SCENE and --camera choose another")};
-  output.journal = journal_path;
+  output.journal = folder.path() / tune_journal_name;
   output.page = {make_figure_style(line.figures), !line.no_figures};
   return write_run(folder, console, std::move(results), std::move(output));
+}
+
+}  // namespace
+
+RunPlan plan_of(const TuneRun& run) { return {"tune", experiment_of(run.job, run.line.tune), tune_files()}; }
+
+ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measured, const Console& console) {
+  const CommandLine& line = run.line;
+  const TuneJob& job = run.job;
+  for (const TuneCase& each : run.cases) prepare(each);
+  const std::filesystem::path journal_path = folder.path() / tune_journal_name;
+  if (line.force) std::filesystem::remove(journal_path);
+  folder.announce({tune_journal_name});
+  TuneJournal journal(journal_path, run.identity());
+  folder.begin();
+  write_text(folder.path() / "experiment.toml", experiment_of(job, line.tune));
+  if (journal.count() > 0) note(console, fmt::format("{} evaluations are done; resuming", journal.count()));
+  for (const auto& [key, record] : measured.points) {
+    if (journal.find(key) == nullptr) journal.add(key, record);
+  }
+  return resumable([&] { return search_and_write(run, journal, folder, measured, console); },
+                   [&] {
+                     return fmt::format("{} evaluations are stored in {}; rerun the command to resume", journal.count(),
+                                        journal_path.string());
+                   });
 }
 
 }  // namespace umbrameter

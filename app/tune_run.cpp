@@ -53,7 +53,11 @@ void TuneRun::load(const Console& console) {
     of_scene.keep_cases(by_scene.back().size(), !varies_map);
     cases.insert(cases.end(), by_scene.back().begin(), by_scene.back().end());
   }
+  require_sense(cases);
   hold_out(console);
+  std::vector<TuneCase> all = cases;
+  all.insert(all.end(), unseen.begin(), unseen.end());
+  require_sense(all);
   require_unseen(job, cases, unseen);
   for (const TuneCase& each : cases) require_statistics(each, job.shown);
 }

@@ -268,14 +268,16 @@ Presentation present_picture(const LayeredImage& layers) {
   return presentation;
 }
 
-std::string filter_warning(const std::string& remedy) {
-  return "against a hard shadow every blurred pixel is wrong, so the least error does not show which filter is best; " +
-         remedy;
+std::string filter_warning(const std::string& remedy, const std::string& where) {
+  return fmt::format(
+      "against a hard shadow{} every blurred pixel is wrong, so the least error does not show which filter is best; {}",
+      where, remedy);
 }
 
 std::string filter_remedy(const std::string& flag) {
-  return fmt::format("give the light a size (--light.angle, --light.radius), or use {} {}", flag,
-                     edge_roughness_metric.name);
+  return fmt::format(
+      "give the light a size (--light.angle for a directional one, --light.radius for others), or use {} {}", flag,
+      edge_roughness_metric.name);
 }
 
 bool measures_edges(const std::string& names) { return names.find(edge_roughness_metric.name) != std::string::npos; }

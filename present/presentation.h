@@ -57,11 +57,12 @@ std::string ao_radius_text(const AoParams& params);
 inline constexpr const char* filter_caution =
     "The reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong: with a bias "
     "that removes acne, the mean absolute error is usually least without a filter; with a smaller bias it may be less "
-    "with a "
-    "filter, which blurs the acne. Use it to choose a bias or a resolution, not a filter.";
+    "with a filter, which blurs the acne. Use it to choose a bias or a resolution, not a filter.";
 
-/// The same, for the answers of a sweep or tuning over filters. `flag` measures the edges instead: "--run.metrics".
-std::string filter_warning(const std::string& remedy);
+/// The same, for the answers of a sweep or tuning over filters. `where` is put after "a hard shadow": ", here of
+/// corner,".
+std::string filter_warning(const std::string& remedy, const std::string& where = "");
+/// `flag` measures the edges instead: "--run.metrics".
 std::string filter_remedy(const std::string& flag);
 
 /// "no AO at all would be closer to the reference: its error is 1.18 %"; empty where AO is better than none. Where the

@@ -292,9 +292,8 @@ void ResultsStore::finish() {
       add(static_cast<std::size_t>(std::get<std::int64_t>(row.front())), std::span(row).subspan(1));
     }
   });
-  state_ = nullptr;
+  *this = load(folder);  // until then the growing store counts
   remove_store(partial);
-  *this = load(folder);
 }
 
 ResultsStore ResultsStore::write(const fs::path& folder, const StoreDescription& description,

@@ -64,10 +64,13 @@ std::vector<std::uint32_t> Stages::lights(const std::string& name_or_index) cons
   return select_lights(scene_, name_or_index);
 }
 
+void require_sense(const Experiment& experiment, std::span<const Light> lights) {
+  require_sense(experiment.light, lights);
+  require_sense(experiment.shadow.map, experiment.shadow.fit, lights);
+}
+
 void Stages::check_is_meaningful(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
-  const std::vector<Light> measured = mapped(lights, [&](const std::uint32_t light) { return scene_.lights[light]; });
-  require_sense(experiment.light, measured);
-  require_sense(experiment.shadow.map, experiment.shadow.fit, measured);
+  require_sense(experiment, mapped(lights, [&](const std::uint32_t light) { return scene_.lights[light]; }));
 }
 
 void Stages::keep_cases(std::size_t cases, bool with_maps) {

@@ -39,6 +39,9 @@
 
 namespace umbrameter {
 
+/// Throws Error (usage) if the light.* parameters, or those of cascades, make no sense for these lights.
+void require_sense(const Experiment& experiment, std::span<const Light> lights);
+
 /// The last computed values and their keys; one, unless keep() allows more. A value that gives way to a newer one lives
 /// on while someone holds it.
 template <class T>
@@ -155,7 +158,7 @@ class Stages {
   bool is_sampled(const Experiment& experiment, std::uint32_t light) const {
     return reference_stage(experiment, light) != Stage::binary_reference;
   }
-  /// Throws Error (usage) if the light.* parameters, or those of cascades, make no sense for these lights.
+  /// require_sense() for these lights.
   void check_is_meaningful(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const;
   /// Indices of the lights that a name or index selects; all when empty.
   std::vector<std::uint32_t> lights(const std::string& name_or_index) const;

@@ -67,11 +67,16 @@ std::vector<TuneCase> cases_of(Stages& stages, const Experiment& experiment, Swe
   for (const auto& [key, text] : over) axes.push_back(parse_case_axis(stages, parameters, key, text));
   std::vector<TuneCase> cases;
   go_over(cases, stages, experiment, quantity, axes, 0, "");
-  if (quantity != SweptQuantity::visibility) return cases;
-  // As in compare, a parameter of suns alone has a sense if one of the lights is one.
-  const std::vector<std::uint32_t> lights = mapped(cases, &TuneCase::light);
-  for (const TuneCase& each : cases) stages.check_is_meaningful(each.experiment, lights);
   return cases;
+}
+
+void require_sense(const std::vector<TuneCase>& cases) {
+  std::vector<Light> lights;
+  for (const TuneCase& each : cases) {
+    if (each.quantity == SweptQuantity::visibility) lights.push_back(each.stages->scene().lights[each.light]);
+  }
+  if (lights.empty()) return;
+  for (const TuneCase& each : cases) require_sense(each.experiment, lights);
 }
 
 std::string unused_camera(const std::vector<TuneCase>& cases) {

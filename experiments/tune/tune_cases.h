@@ -18,6 +18,10 @@ using CaseAxes = std::vector<std::pair<std::string, std::string>>;
 std::vector<TuneCase> cases_of(Stages& stages, const Experiment& experiment, SweptQuantity quantity,
                                const CaseAxes& over);
 
+/// Throws Error (usage) as require_sense() of an experiment does, for the lights of all cases: as in compare, a
+/// parameter of suns alone makes sense if one of the lights is a sun.
+void require_sense(const std::vector<TuneCase>& cases);
+
 /// Index, as view.camera takes it, of the first camera that no case uses; empty if there is none.
 std::string unused_camera(const std::vector<TuneCase>& cases);
 

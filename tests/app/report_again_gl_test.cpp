@@ -40,6 +40,20 @@ TEST_F(ReportAgain, Of_a_tuning_is_its_page_with_the_images_of_both_points) {
   EXPECT_TRUE(std::filesystem::exists(run + "/tuned.toml"));
 }
 
+// The map is the same, and the mean size of its texels is summed up over other pixels.
+TEST_F(ReportAgain, Of_two_cameras_does_not_call_equal_texels_different) {
+  std::vector<std::string> report = {"report"};
+  for (const char* camera : {"overview", "back-row"}) {
+    report.push_back(folder_ / camera);
+    const ProgramResult run =
+        run_program({"compare", "contact-box", "-o", report.back(), "--camera", camera, "--light", "sun", "--measure",
+                     "visibility", "--size", "320x180", "--no-figures", "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  ASSERT_EQ(run_program(words(report, {"-o", folder_ / "both"})).exit_code, 0);
+  EXPECT_EQ(text_of(folder_ / "both/index.html").find("texels differ in size"), std::string::npos);
+}
+
 TEST_F(ReportAgain, Of_two_runs_says_what_was_measured_and_with_which_technique) {
   std::vector<std::string> report = {"report"};
   for (const char* filter : {"nearest", "box"}) {
