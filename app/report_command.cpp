@@ -177,20 +177,17 @@ bool is_bias_another_length(const std::vector<StoredRun>& runs) {
         std::ranges::find(run.parameters, "shadow.constant-bias", &std::pair<std::string, std::string>::first);
     return found != run.parameters.end() && found->second.ends_with("texels");
   };
-  const auto texels = [](const StoredRun& run) {
-    std::vector<double> sizes;
-    for (const MeasuredStatistic& each : run.statistics) {
-      if (each.name == "mean_texel") sizes.push_back(each.value);
-    }
-    return sizes;
+  std::map<std::string, double> sizes;  // by light
+  const auto has_others = [&](const StoredRun& run) {
+    return std::ranges::any_of(run.statistics, [&](const MeasuredStatistic& each) {
+      // Another camera sums up equal texels with another rounding.
+      constexpr double rounding = 1e-9;
+      if (each.name != "mean_texel") return false;
+      const double first = sizes.emplace(each.light, each.value).first->second;
+      return std::abs(each.value - first) > rounding * first;
+    });
   };
-  // Another camera sums up equal texels with another rounding.
-  constexpr double rounding = 1e-9;
-  const auto is_near = [](double a, double b) { return std::abs(a - b) <= rounding * std::abs(b); };
-  const std::vector<double> first = texels(runs.front());
-  return std::ranges::all_of(runs, has_texels) && std::ranges::any_of(runs, [&](const StoredRun& run) {
-           return !std::ranges::equal(texels(run), first, is_near);
-         });
+  return std::ranges::all_of(runs, has_texels) && std::ranges::any_of(runs, has_others);
 }
 
 Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders,

@@ -106,7 +106,7 @@ SeamStatistics analyze_seams(const Image<std::uint8_t>& seams, const Image<float
 
 Statistics describe(ViewStatistics& s) {
   StatisticsDescription description;
-  description.field("view", s.view, "", "index of the cascade or cube face")
+  description.field("view", s.view, "", "index of the cascade or cube face, from 0")
       .field("pixels", s.pixels, "px", "counted pixels that look up this view")
       .field("share", s.share, "1", "share of all counted pixels")
       .field("mean_texel", s.mean_texel, "m", "mean size of its texels at these pixels")

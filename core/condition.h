@@ -12,6 +12,8 @@ namespace umbrameter {
 enum class Relation { less, at_most, greater, at_least };
 std::string_view relation_text(Relation relation);  ///< "<", "<=", ">", ">="
 bool holds(double value, Relation relation, double bound);
+/// Whether it bounds values from above.
+inline bool is_upper(Relation relation) { return relation == Relation::less || relation == Relation::at_most; }
 
 /// A number and the text after it: {0.1, "%"}, {30, "dB"}, {0.001, ""}.
 struct Quantity {

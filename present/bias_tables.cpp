@@ -200,12 +200,14 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
 std::string explanation(const BiasCurves& curves) {
   std::string text =
       "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
-      "and as normalised depth; a dash means that no bias of the axis qualifies or, at 'recommended', that this view "
-      "cannot show which is right" +
-      std::string(curves.varies_slope
-                      ? " (for 'acne at most 0.1 %' and 'no acne' at the slope-scaled bias nearest to 0)"
-                      : "") +
-      ". 'Extra error' and 'extra peter-panning' compare each choice with 'least error'.";
+      "and as normalised depth";
+  if (curves.varies_constant) {
+    text +=
+        "; a dash means that no bias of the axis qualifies or, at 'recommended', that this view cannot show which "
+        "is right";
+    if (curves.varies_slope) text += " (for 'acne at most 0.1 %' and 'no acne' at the slope-scaled bias nearest to 0)";
+  }
+  text += ". 'Extra error' and 'extra peter-panning' compare each choice with 'least error'.";
   if (curves.formulas.empty()) {
     text +=
         " A sweep of the constant bias over a second axis (resolution, light, camera or filter) also fits a formula "

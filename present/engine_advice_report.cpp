@@ -159,9 +159,9 @@ std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, 
   for (const EngineAdvice& each : engines) {
     const bool has_that_bias =
         has_number(*each.target.spec.engine, BiasTerm::constant) && own_drawing_text(each).empty();
-    const bool names_bias = !bias.empty() && has_that_bias;
-    lines.push_back(fmt::format("  {}{} in {}: {}", what, names_bias ? fmt::format(", {},", bias) : "",
-                                title_of(each.target.spec), engine_error_text(each)));
+    const std::string of_bias = bias.empty() ? "" : has_that_bias ? fmt::format(", {},", bias) : ",";
+    lines.push_back(
+        fmt::format("  {}{} in {}: {}", what, of_bias, title_of(each.target.spec), engine_error_text(each)));
     for (const std::string& code : shown_numbers(each, true)) lines.push_back("    " + code);
     for (const std::string& note : notes_of_advice(each)) lines.push_back(note_mark + note);
   }
@@ -172,7 +172,8 @@ std::vector<std::string> remarks_on(const std::vector<EngineAdvice>& engines) {
   std::vector<std::string> remarks;
   for (const EngineAdvice& each : engines) {
     if (!each.why_not_measured.empty()) {
-      remarks.push_back(fmt::format("{}: {}.", each.target.spec.engine->name, each.why_not_measured));
+      remarks.push_back(fmt::format("{}: the error with these numbers is not measured: {}.",
+                                    each.target.spec.engine->name, each.why_not_measured));
     }
     for (const std::string& note : notes_of_advice(each)) remarks.push_back(note + ".");
   }

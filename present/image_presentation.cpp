@@ -127,8 +127,8 @@ Presentation present_image(const SceneFacts& scene, const LayeredImage& layers, 
   section.text += fmt::format(
       "{}. Errors are of linear luminance times shading.exposure, in per cent of white. A part is how much the "
       "error falls when the reference's input replaces the technique's; parts can overlap or cancel, so they need not "
-      "add up. An area "
-      "light is shaded from its centre on both sides, and only its visibility is integrated.",
+      "add up. In both images "
+      "an area light is shaded from its centre, and only its visibility is integrated.",
       path_text(experiment));
   section.tables.insert(section.tables.begin(), statistics_table("Error of the image", s));
   add_metrics_table(section, image.metrics);

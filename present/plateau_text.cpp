@@ -23,13 +23,17 @@ std::string few_text(std::uint64_t pixels, std::uint64_t counted, const char* wh
 
 }  // namespace
 
-std::pair<double, double> rounded_inwards(double first, double last) {
+RoundedRange rounded_inwards(double first, double last, double inside) {
   constexpr double slack = 1e-6;  // a bias of three digits is one, whatever its last bits
-  const double of_first = step_of_last_digit(first, 3);
-  const double of_last = step_of_last_digit(last, 3);
-  const double up = of_first * std::ceil(first / of_first - slack);
-  const double down = of_last * std::floor(last / of_last + slack);
-  return up <= down ? std::pair{up, down} : std::pair{first, last};
+  constexpr int most_digits = 6;
+  for (int digits = 3; digits <= most_digits; ++digits) {
+    const double of_first = step_of_last_digit(first, digits);
+    const double of_last = step_of_last_digit(last, digits);
+    const double up = of_first * std::ceil(first / of_first - slack);
+    const double down = of_last * std::floor(last / of_last + slack);
+    if (up <= inside + slack * of_first && down >= inside - slack * of_last) return {up, down, digits};
+  }
+  return {first, last, most_digits};
 }
 
 std::string tolerance_text(bool is_by_pixels) {
@@ -38,10 +42,11 @@ std::string tolerance_text(bool is_by_pixels) {
 
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
                        const char* only, const std::vector<double>& axis, const std::string& tolerance) {
-  const auto [first, last] = axis.empty() ? rounded_inwards(plateau.first.constant, plateau.last.constant)
-                                          : std::pair{plateau.first.constant, plateau.last.constant};
+  const RoundedRange rounded = rounded_inwards(plateau.first.constant, plateau.last.constant, plateau.least.constant);
+  const double first = axis.empty() ? rounded.first : plateau.first.constant;
+  const double last = axis.empty() ? rounded.last : plateau.last.constant;
   const auto number = [&](double bias) {
-    const int digits = axis.empty() ? 3 : digits_on_axis(axis, bias);
+    const int digits = axis.empty() ? rounded.digits : digits_on_axis(axis, bias);
     return unit == LengthUnit::metres ? metres_text(bias, digits) : with_minus(fmt::format("{:.{}g}", bias, digits));
   };
   const std::string of_unit = unit == LengthUnit::metres ? "" : fmt::format(" {}", unit_name(unit));

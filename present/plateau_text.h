@@ -15,8 +15,14 @@ namespace umbrameter {
 
 inline constexpr const char* only_of_axis = "only this bias of the axis";
 
-/// The ends of a range to three digits that lie within it, or as they are where it has no such digits.
-std::pair<double, double> rounded_inwards(double first, double last);
+struct RoundedRange {
+  double first = 0.0;
+  double last = 0.0;
+  int digits = 3;
+};
+/// The ends of a range, rounded to values within it, with `inside` between them: to three digits, or to as many more as
+/// that takes.
+RoundedRange rounded_inwards(double first, double last, double inside);
 
 /// How much more than the least error is as good: "5 %", or "3 wrong pixels".
 std::string tolerance_text(bool is_by_pixels);

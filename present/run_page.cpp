@@ -33,7 +33,7 @@ ConvertedBiasText converted_bias(const RunResults& results, const SweepResults& 
   const std::optional<BiasCurves>& curves = results.sweep->curves;
   const BiasCurve* curve = curves ? curve_of_cell(*curves, rows.plan, least_row(rows)) : nullptr;
   if (curve == nullptr || !curve->plateau) {
-    return {"bias that compare recommends at the other settings of the cell of least error", named_bias_text(advice)};
+    return {"cell of least error, with the bias that compare recommends there", named_bias_text(advice)};
   }
   const std::string setting = setting_text(curves->others, curve->others);
   return {"the bias to use" + (setting.empty() ? "" : " at " + setting),

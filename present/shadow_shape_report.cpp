@@ -208,8 +208,14 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
 
 Table view_table(const std::vector<ViewStatistics>& views) {
   Table table{columns_of(ViewStatistics{}), {}};
+  const std::size_t number = column_index(table, "view");
+  // As view_name() counts cascades.
+  table.columns[number].meaning =
+      "number of the cascade, of the cube's face (+x, −x, +y, −y, +z, −z) or of the paraboloid (front, back)";
   for (const ViewStatistics& view : views) {
-    if (view.pixels > 0) table.rows.push_back(row_of(view));
+    if (view.pixels == 0) continue;
+    table.rows.push_back(row_of(view));
+    table.rows.back()[number] = static_cast<std::int64_t>(view.view) + 1;
   }
   return in_percent(table);
 }

@@ -21,17 +21,8 @@ namespace {
 
 // Signed so that smaller is better.
 double objective(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases) {
-  double value = aggregate(goal, column, cases);
-  for (const TuneTerm& term : goal.terms) {
-    if (term.column != column) continue;
-    if (term.weight < 0.0) value = -value;
-  }
-  for (const TuneConstraint& constraint : goal.constraints) {
-    if (constraint.axis || constraint.column != column) continue;
-    const Relation relation = constraint.condition.bound.relation;
-    if (relation == Relation::greater || relation == Relation::at_least) value = -value;
-  }
-  return value;
+  const double value = aggregate(goal, column, cases);
+  return is_higher_better(goal, column) ? -value : value;
 }
 
 // How a point ("the best point") compares; `difference` and `plain` are its cost less the other's.
@@ -130,7 +121,8 @@ Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& fron
 std::string constraint_line(const TuneSummary& summary) {
   if (summary.goal.constraints.empty()) return {};
   if (!summary.result.best.score.is_kept())
-    return "no point on the axes keeps every constraint in every case; this one breaks them least" +
+    return "no point on the axes keeps every constraint in every case; this one breaks them least, by the sum of all "
+           "relative excesses" +
            broken_text(summary.goal, summary.result.best, summary.cases);
   return "every constraint is kept in every case of the search";
 }

@@ -14,9 +14,9 @@ namespace umbrameter {
 namespace {
 
 // "0.833 to 1.66 texels", and "0.833 cm to 1.66 m" where units differ.
-std::string pair_text(const TuneAxis& axis, const Value& a, const Value& b, const char* between) {
-  std::string first = value_text(axis, a);
-  const std::string second = value_text(axis, b);
+std::string pair_text(const TuneAxis& axis, const Value& a, const Value& b, const char* between, int digits = 3) {
+  std::string first = value_text(axis, a, digits);
+  const std::string second = value_text(axis, b, digits);
   const std::size_t unit = first.find(' ');
   if (unit != std::string::npos && second.ends_with(first.substr(unit))) first.resize(unit);
   return first + between + second;
@@ -60,9 +60,9 @@ std::string good_values_text(const TuneSummary& summary, const AxisScan& scan) {
                                  : "of the axis only ") +
            value_text(axis, range->first) + ends + outside;
   const bool is_exact = plateau && axis.key() == constant_bias_key && axis.is_continuous;
-  const auto [first, last] =
-      is_exact ? std::pair<Value, Value>(rounded_inwards(plateau->first.constant, plateau->last.constant)) : *range;
-  return pair_text(axis, first, last, " to ") + ends + outside;
+  if (!is_exact) return pair_text(axis, range->first, range->second, " to ") + ends + outside;
+  const RoundedRange good = rounded_inwards(plateau->first.constant, plateau->last.constant, plateau->least.constant);
+  return pair_text(axis, good.first, good.last, " to ", good.digits) + ends + outside;
 }
 
 // The largest cost along the axis, in multiples of the least.

@@ -82,11 +82,12 @@ const KnownStatistic* find_known(std::string_view kind, std::string_view name) {
   return nullptr;
 }
 
-bool can_be_negative(std::string_view statistic) {
-  return is_signed_error(statistic) || std::ranges::any_of(known_statistics(), [&](const KnownStatistic& each) {
-           return each.name == statistic && each.is_higher_better;
-         });
+bool is_higher_better(std::string_view statistic) {
+  return std::ranges::any_of(
+      known_statistics(), [&](const KnownStatistic& each) { return each.name == statistic && each.is_higher_better; });
 }
+
+bool can_be_negative(std::string_view statistic) { return is_signed_error(statistic) || is_higher_better(statistic); }
 
 bool is_signed_error(std::string_view statistic) {
   constexpr std::array<std::string_view, 5> names = {"mean_error", "shadows", "ao", "gbuffer", "shading"};

@@ -30,6 +30,9 @@ const std::vector<KnownStatistic>& known_statistics();
 /// The one of this kind and name; null if there is none.
 const KnownStatistic* find_known(std::string_view kind, std::string_view name);
 
+/// Whether it is a score such as PSNR.
+bool is_higher_better(std::string_view statistic);
+
 /// Whether values below 0 are possible: means of signed errors, what replacing an input changes, scores such as PSNR.
 /// Absolute errors, RMS errors and shares are never below 0, so neither are their intervals.
 bool can_be_negative(std::string_view statistic);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "results/known_statistics.h"
 #include "results/metric_columns.h"
 
@@ -203,16 +204,25 @@ std::string shown_name(const TuneGoal& goal, std::size_t column) {
   return is_magnitude(goal, column) ? "|" + name + "|" : name;
 }
 
-double aggregate(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases) {
-  const bool takes_magnitude = is_magnitude(goal, column);
-  double sum = 0.0;
-  double largest = -std::numeric_limits<double>::infinity();
-  for (const CaseValues& values : cases) {
-    const double value = takes_magnitude ? std::abs(values[column]) : values[column];
-    sum += value / static_cast<double>(cases.size());
-    largest = std::max(largest, value);
+bool is_higher_better(const TuneGoal& goal, std::size_t column) {
+  for (const TuneTerm& term : goal.terms) {
+    if (term.column == column) return term.weight < 0.0;
   }
-  return goal.is_worst_case ? largest : sum;
+  for (const TuneConstraint& constraint : goal.constraints) {
+    if (!constraint.axis && constraint.column == column) return !is_upper(constraint.condition.bound.relation);
+  }
+  return is_higher_better(goal.columns[column].name);
+}
+
+double aggregate(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases) {
+  if (cases.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const bool takes_magnitude = is_magnitude(goal, column);
+  const std::vector<double> all = mapped(
+      cases, [&](const CaseValues& values) { return takes_magnitude ? std::abs(values[column]) : values[column]; });
+  double sum = 0.0;
+  for (const double value : all) sum += value / static_cast<double>(all.size());
+  if (!goal.is_worst_case || std::isnan(sum)) return sum;
+  return is_higher_better(goal, column) ? std::ranges::min(all) : std::ranges::max(all);
 }
 
 }  // namespace umbrameter

@@ -87,8 +87,10 @@ TuneScore score_of(const TuneGoal& goal, const std::vector<Value>& point, const 
 bool is_magnitude(const TuneGoal& goal, std::size_t column);
 /// "acne", or "|mean_error|" where is_magnitude().
 std::string shown_name(const TuneGoal& goal, std::size_t column);
-/// The mean of a column over the cases, or the largest with the goal's worst case; of the magnitude where
-/// is_magnitude().
+/// Whether the larger of two values of a column is the better: as the cost or else a constraint has it, or else as the
+/// statistic has it.
+bool is_higher_better(const TuneGoal& goal, std::size_t column);
+/// The mean of a column over the cases, or the worst with the goal's worst case; of the magnitude where is_magnitude().
 double aggregate(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases);
 
 }  // namespace umbrameter

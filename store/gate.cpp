@@ -90,8 +90,6 @@ double value_for(const BudgetEntry& entry, const MeasuredStatistic& measured) {
   return entry.is_magnitude ? std::abs(measured.value) : measured.value;
 }
 
-bool is_upper(Relation relation) { return relation == Relation::less || relation == Relation::at_most; }
-
 GateCheck check(const BudgetEntry& entry, const MeasuredStatistic& measured) {
   GateCheck result{entry, measured};
   const std::string unit = measured.unit.empty() ? entry.bound.quantity.unit : measured.unit;

@@ -90,7 +90,7 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
-    reason = "they are another length at each distance from the light, which our bias cannot be on this map";
+    reason = "they are a bias of another length at each distance from the light, which ours cannot be on this map";
     if (layout.kind == MapKind::perspective && layout.encoded_near == 0.0)
       reason += "; --shadow.depth-encoding perspective makes such a bias possible";
     return {};

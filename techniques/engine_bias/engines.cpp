@@ -306,8 +306,9 @@ std::vector<BiasEngine> other_engines() {
                     [](const Place& p, const Settings& s) { return of_sun(p, 0.5 * s["CSMDepthBias"] * p.texel); },
                     "CSMDepthBias · t / 2", "LightComponent->SetShadowBias({}f);"}},
        .settings = {{"CSMDepthBias", 10.0, "half texels", "r.Shadow.CSMDepthBias"}},
-       .note = "in addition its slope term, r.Shadow.CSMSlopeScaleDepthBias × Shadow Slope Bias, and "
-               "r.Shadow.CSMReceiverBias act; virtual shadow maps have other numbers",
+       .note =
+           "its slope term, r.Shadow.CSMSlopeScaleDepthBias × Shadow Slope Bias, and r.Shadow.CSMReceiverBias act in "
+           "addition and are in no printed error; virtual shadow maps have other numbers",
        .unverified = "all of it is second-hand, its default Shadow Bias 0.5 not verified"},
       {.name = "bevy",
        .title = "Bevy 0.20-dev",

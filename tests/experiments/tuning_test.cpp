@@ -178,6 +178,26 @@ TEST(TuneGoal, Column_whose_magnitude_is_bounded_is_shown_as_a_magnitude) {
   EXPECT_EQ(shown_name(bounded, 1), "|mean_error|");
 }
 
+TEST(TuneGoal, The_worst_of_a_score_is_its_smallest_value) {
+  const std::vector<CaseValues> cases = {{0.3, 0.8}, {0.1, 0.5}};
+  const TuneGoal bounded = goal("mae", {"ssim>0.4"}, true);
+  EXPECT_DOUBLE_EQ(aggregate(bounded, 0, cases), 0.3);
+  EXPECT_DOUBLE_EQ(aggregate(bounded, 1, cases), 0.5);
+  EXPECT_DOUBLE_EQ(aggregate(goal("-1*ssim", {}, true), 0, {{0.8}, {0.5}}), 0.5);
+  RunParams run;
+  run.metrics = "ssim";
+  EXPECT_DOUBLE_EQ(aggregate(with_metrics(goal("mae", {}, true), run, "shadow"), 1, cases), 0.5);
+}
+
+TEST(ParetoFront, Of_a_score_that_is_both_minimised_and_bounded_more_is_better) {
+  const TuneGoal score = goal("-1*ssim + mae", {"ssim>0.2"});
+  const auto at = [](double ssim, double mae) { return TunePoint{{0.0}, {{ssim, mae}}, {}}; };
+  const std::vector<TunePoint> front = pareto_front(score, {at(0.5, 0.1), at(0.9, 0.1), at(0.3, 0.05)});
+  ASSERT_EQ(front.size(), 2u);
+  EXPECT_DOUBLE_EQ(front[0].cases[0][0], 0.9);
+  EXPECT_DOUBLE_EQ(front[1].cases[0][0], 0.3);
+}
+
 TEST(ParetoFront, Holds_the_points_of_which_none_is_better_in_both) {
   const TuneGoal both = goal("mae", {"acne<10%"});
   const std::vector<TunePoint> front =

@@ -58,13 +58,19 @@ TEST(BiasAdvice, Acne_that_the_run_does_not_have_is_no_reason_for_a_bias) {
 }
 
 TEST(BiasAdvice, Printed_ends_of_a_range_lie_within_it) {
-  EXPECT_DOUBLE_EQ(rounded_inwards(2.04366, 3.1957).first, 2.05);
-  EXPECT_DOUBLE_EQ(rounded_inwards(2.04366, 3.1957).second, 3.19);
-  EXPECT_DOUBLE_EQ(rounded_inwards(-0.12345, 1000.0).first, -0.123);
-  EXPECT_EQ(rounded_inwards(0.0, 8.0), std::pair(0.0, 8.0));
-  EXPECT_EQ(rounded_inwards(2.0437, 2.0439), std::pair(2.0437, 2.0439)) << "no three digits lie within";
+  const auto expect = [](const RoundedRange& range, double first, double last, int digits) {
+    EXPECT_DOUBLE_EQ(range.first, first);
+    EXPECT_DOUBLE_EQ(range.last, last);
+    EXPECT_EQ(range.digits, digits);
+  };
+  expect(rounded_inwards(2.04366, 3.1957, 2.5), 2.05, 3.19, 3);
+  expect(rounded_inwards(-0.12345, 1000.0, 0.0), -0.123, 1000.0, 3);
+  expect(rounded_inwards(0.0, 8.0, 0.0), 0.0, 8.0, 3);
+  expect(rounded_inwards(2.0437, 2.0439, 2.0438), 2.0437, 2.0439, 5);
+  expect(rounded_inwards(1.253, 1.4861, 1.253), 1.253, 1.486, 4);  // the best bias is at an end
   BiasPlateau plateau = advice(0.02).plateau;
   plateau.first.constant = 2.04366;
+  plateau.least.constant = 2.5;
   plateau.last.constant = 3.1957;
   EXPECT_EQ(range_text(plateau, LengthUnit::texels, "error", "").substr(0, 19), "2.05 to 3.19 texels");
 }
