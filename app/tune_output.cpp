@@ -131,14 +131,14 @@ void add_warnings(const TuneRun& run, TuneSummary& summary) {
   const TuneCase& first = run.cases.front();
   const std::vector<SweepAxis> axes = mapped(run.job.axes, [](const TuneAxis& each) { return each.axis; });
   std::vector<std::string>& warnings = summary.warnings;
-  if (summary.result.evaluations < summary.result.usual_evaluations) {
+  if (summary.result.allowed_evaluations < summary.result.usual_evaluations) {
     std::string words;
     for (const TuneAxis& axis : summary.axes) {
       if (axis.is_word()) words += (words.empty() ? "" : ", ") + axis.key();
     }
-    warnings.push_back(
-        fmt::format("{}: with {} evaluations, {} by default, a value that is not the best may do better than shown",
-                    words, summary.result.evaluations, summary.result.usual_evaluations));
+    warnings.push_back(fmt::format(
+        "{}: with at most {} evaluations, {} by default, a value that is not the best may do better than shown", words,
+        summary.result.allowed_evaluations, summary.result.usual_evaluations));
   }
   if (first.quantity == SweptQuantity::visibility) {
     std::vector<std::string> hard;

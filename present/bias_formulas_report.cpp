@@ -42,7 +42,7 @@ std::string texel_range(const FormulaRange& range) {
 bool has_no_residual(const BiasFormula& formula) { return formula.residual < formula_rounding * formula.axis_step; }
 
 std::string residual_text(const BiasFormula& formula) {
-  if (has_no_residual(formula)) return "RMS residual 0";
+  if (has_no_residual(formula)) return "RMS residual 0, so that the standard errors are those of the bias axis's step";
   return fmt::format("RMS residual {} ({:.2g} texels), largest {}", metres_text(formula.residual, 2),
                      formula.residual_texels, metres_text(formula.worst_residual, 2));
 }

@@ -47,6 +47,7 @@ Presentation present_cell(const RunResults& results, const SweepResults& rows, c
   Presentation part;
   std::vector<EngineAdvice> engines;
   ConvertedBiasText converted;
+  bool has_advice = false;
   if (measurement.ao) {
     part = present_ao(layers, *measurement.ao);
   } else if (measurement.image) {
@@ -54,7 +55,8 @@ Presentation present_cell(const RunResults& results, const SweepResults& rows, c
   } else {
     // Without the advice that the page's bias slider needs: the sweep's own part has recommended a bias.
     ShadowMeasurement shadow = measurement.shadows.front();
-    if (shadow.advice) {
+    has_advice = shadow.advice.has_value();
+    if (has_advice) {
       engines = std::exchange(shadow.advice->engines, {});
       converted = converted_bias(results, rows, *shadow.advice);
     }
@@ -66,6 +68,10 @@ Presentation present_cell(const RunResults& results, const SweepResults& rows, c
   part.lines.clear();
   if (results.sweep->curves && !is_flat) part.lines.push_back("cell of least error: " + cell);
   for (const std::string& answer : std::exchange(part.answers, {})) part.lines.push_back("  " + answer);
+  if (has_advice && !rows.is_by_cause() && rows.plan.constant_bias.values.size() > 1) {
+    part.lines.emplace_back(
+        "  no bias recommended: acne cannot be counted in every cell; sweep only pcf and lights without extent");
+  }
   add_engines(part, engines, converted.what, converted.bias);
   part.section.title += is_flat ? " in one of the cells, which are all equal" : " in the cell of least error";
   part.section.text = fmt::format("This section shows the cell {}.\n\n", cell) + part.section.text;

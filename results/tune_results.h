@@ -55,8 +55,9 @@ struct TuneResult {
   std::size_t evaluations = 0;      ///< points of the search, without those that a scan found to be better
   /// Of a search in combinations of words, the default: fewer may miss the best point with a word. 0 without words.
   std::size_t usual_evaluations = 0;
-  bool is_exact = false;     ///< the constant bias is measured at all values at once
-  std::string stopped_by{};  ///< "2.0 minutes"; empty if the search ended by itself or by evaluations
+  std::size_t allowed_evaluations = 0;  ///< what it might have taken; of one that is stopped by time, what it took
+  bool is_exact = false;                ///< the constant bias is measured at all values at once
+  std::string stopped_by{};             ///< "2.0 minutes"; empty if the search ended by itself or by evaluations
 };
 
 /// A point beside the best one.

@@ -39,6 +39,7 @@ class Search {
     }
     if (result_.points.empty()) throw Error(ExitCode::usage, "tune", "the budget allows no evaluation");
     result_.evaluations = result_.points.size();
+    result_.allowed_evaluations = result_.stopped_by.empty() ? limit_ : result_.evaluations;
     result_.best = best_since(0);
     if (std::isnan(result_.best.score.cost)) {
       throw Error(ExitCode::usage, "tune", "no case counts a pixel, so that nothing can be minimised",

@@ -33,5 +33,15 @@ TEST_F(TuneCases, The_warning_of_blur_names_the_cases_of_a_hard_shadow) {
   EXPECT_NE(all.out.find("against a hard shadow every blurred pixel"), std::string::npos) << all.out;
 }
 
+// The search ends by itself before it has taken the 60 points that it may take.
+TEST_F(TuneCases, A_search_that_ends_by_itself_is_not_called_short) {
+  const ProgramResult result =
+      run_program(words({"tune", "corner", "--measure", "ao", "--truth.spp", "8", "--vary", "ao.blur=box,gaussian",
+                         "--vary", "ao.radius=1%:4%:log", "-o", folder_ / "out", "--no-figures"},
+                        small));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out.find("60 by default"), std::string::npos) << result.out;
+}
+
 }  // namespace
 }  // namespace umbrameter
