@@ -300,25 +300,30 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   if (curves.formulas.empty()) return;
   ReportSection& section = presentation.section;
   if (std::ranges::none_of(curves.formulas, [](const CurveFormula& of) { return of.formula.has_value(); })) {
-    std::array<std::size_t, formula_names.size()> most{};
+    std::array<std::size_t, formula_names.size()> inside{};
     std::size_t needed = 0;
+    std::size_t distinct = 0;
     for (const CurveFormula& of : curves.formulas) {
       const FormulaSupport support = support_of(of.points);
-      std::size_t& independent = most[static_cast<std::size_t>(of.of)];
+      std::size_t& independent = inside[static_cast<std::size_t>(of.of)];
       independent = std::max(independent, support.independent);
       needed = std::max(needed, support.needed);
+      distinct = std::max(distinct, of.distinct);
     }
     std::string counts;
     for (std::size_t f = 0; f < formula_names.size(); ++f)
-      counts += fmt::format("{}{} for {}", counts.empty() ? "" : ", ", most[f], formula_names[f]);
-    // Enough combinations differ, but some have no bias inside the axis.
-    const bool is_off_axis = std::ranges::any_of(
-        curves.formulas, [&](const CurveFormula& of) { return of.left_out > 0 && of.distinct >= needed; });
-    const std::string text = fmt::format(
-        "no formula for the bias over {}: one needs {} combinations that differ in texel size, depth per texel Δz, "
-        "filter radius or depth step; there are {}, without those whose bias may lie beyond an end of the axis; {}",
-        names_of(curves.formula_axes), needed, counts,
-        is_off_axis ? "extend the axis of the bias" : "vary more values, such as more resolutions");
+      counts += fmt::format("{}{} for {}", counts.empty() ? "" : ", ", inside[f], formula_names[f]);
+    const std::string text =
+        fmt::format(
+            "no formula for the bias over {}: one needs {} combinations that differ in texel size, depth per "
+            "texel Δz, filter radius or depth step; ",
+            names_of(curves.formula_axes), needed) +
+        (distinct < needed
+             ? fmt::format("there {} {}; vary more values, such as more resolutions", distinct == 1 ? "is" : "are",
+                           distinct)
+             : fmt::format("{} do, but not enough of them have their bias inside the axis ({}); extend the axis of the "
+                           "bias",
+                           distinct, counts));
     section.text += "\n\nThere is " + text + ".";
     presentation.lines.push_back(text);
     return;

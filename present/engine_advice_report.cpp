@@ -89,10 +89,11 @@ std::string own_drawing_text(const EngineAdvice& advice) {
                                                 : "front faces of single-sided surfaces"));
   }
   if (advice.has_own_offset) {
-    parts.push_back(
-        engine.polygon_factor == 0.0 && engine.polygon_units == 0.0
-            ? "draws without this polygon offset"
-            : fmt::format("adds polygon offset factor {:g}, units {:g}", engine.polygon_factor, engine.polygon_units));
+    // Without a factor of its own it may have one from its numbers.
+    const std::string factor = engine.polygon_factor == 0.0 ? "" : fmt::format("factor {:g}, ", engine.polygon_factor);
+    parts.push_back(factor.empty() && engine.polygon_units == 0.0
+                        ? "draws without this polygon offset"
+                        : fmt::format("adds polygon offset {}units {:g}", factor, engine.polygon_units));
   }
   if (!advice.lost_offset.empty())
     parts.push_back(fmt::format("has no equivalent of this normal offset ({})", advice.lost_offset));
@@ -122,8 +123,8 @@ std::string search_text(const EngineAdvice& advice) {
   const auto slope = std::ranges::find(engine.numbers, BiasTerm::slope, &BiasNumber::term);
   if (has_number(engine, BiasTerm::constant) || slope == engine.numbers.end() || !lacks_slope(advice)) return {};
   return fmt::format(
-      "{0}: its {1} is a polygon offset factor, which 'umbrameter tune SCENE --light LIGHT --preset NAME "
-      "--vary shadow.polygon-offset-factor=0:10 --for {0} -o DIR' finds",
+      "{0}: its {1} is a polygon offset factor; 'umbrameter tune' with the scene, light and flags of this run and "
+      "--vary shadow.polygon-offset-factor=0:10 --for {0} finds it",
       engine.name, slope->name);
 }
 

@@ -121,7 +121,7 @@ Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& fron
 std::string constraint_line(const TuneSummary& summary) {
   if (summary.goal.constraints.empty()) return {};
   if (!summary.result.best.score.is_kept())
-    return "no point on the axes keeps every constraint in every case; this one breaks them least, by the sum of all "
+    return "no measured point keeps every constraint in every case; this one breaks them least, by the sum of all "
            "relative excesses" +
            broken_text(summary.goal, summary.result.best, summary.cases);
   return "every constraint is kept in every case of the search";

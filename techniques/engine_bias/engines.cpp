@@ -291,6 +291,7 @@ std::vector<BiasEngine> unity() {
            "in addition every caster is drawn with polygon offset units 1, and receivers are compared with a bias of "
            "1/65536 of the depth; slopeBias counts 5 texels × slope, with filtering quality High more, up to 18, the "
            "larger the light",
+       .note_of_lamps = "the errors of spot and point lights leave out the bias of 1/65536",
        .polygon_units = 1.0,
        .constant_of_range = 1.0 / 65536.0},
   };

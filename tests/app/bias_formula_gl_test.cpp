@@ -73,7 +73,8 @@ TEST_F(BiasFormulaRun, Two_resolutions_have_no_formula_and_no_empty_table) {
                    "shadow.resolution=256,512", "--shadow.filter", "box"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("no formula for the bias over "), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("filter radius or depth step; there are 2 for least error, "), std::string::npos)
+  EXPECT_NE(result.out.find("4 do, but not enough of them have their bias inside the axis (2 for least error, "),
+            std::string::npos)
       << result.out;
   const std::string page = text_of(out / "index.html");
   EXPECT_NE(page.find("There is no formula for the bias over "), std::string::npos);
