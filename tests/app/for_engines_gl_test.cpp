@@ -348,9 +348,8 @@ TEST_F(ForEngines, What_an_engine_draws_otherwise_than_the_run_is_said_with_the_
   EXPECT_EQ(lines({"--for", "three:shadowSide=double"}).find("it casts"), std::string::npos);
   // Filament has both.
   const std::string filament = lines({"--for", "filament", "--shadow.faces", "back"});
-  expect_words(
-      filament,
-      {"note: filament: it casts front faces of single-sided surfaces and adds polygon offset units 0.5: "});
+  expect_words(filament,
+               {"note: filament: it casts front faces of single-sided surfaces and adds polygon offset units 0.5: "});
 }
 
 TEST_F(ForEngines, A_sweep_and_a_tuning_state_their_best_bias) {
