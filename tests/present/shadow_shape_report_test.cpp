@@ -55,5 +55,26 @@ TEST(ShadowShapeReport, The_table_of_casters_shows_lost_contacts_and_edges_witho
   EXPECT_EQ(cell("without match"), "28");
 }
 
+// As the notes on engines and `convert` count them.
+TEST(ShadowShapeReport, The_table_of_views_counts_cascades_from_1) {
+  SceneFacts scene;
+  scene.titles = scene.layers = {"sun"};
+  ShadowMeasurement shadow;
+  ShadowShape& shape = shadow.shape.emplace();
+  for (int view = 0; view < 3; ++view) {
+    ViewStatistics& of_view = shape.views.views.emplace_back();
+    of_view.view = view;
+    of_view.pixels = view == 1 ? 0 : 10;
+  }
+  Presentation presentation;
+  present_shape(presentation, scene, shadow);
+  const auto report = std::ranges::find(presentation.section.tables, "Error by view of the map", &ReportTable::title);
+  ASSERT_NE(report, presentation.section.tables.end());
+  ASSERT_EQ(report->table.rows.size(), 2u) << "a view without pixels has no row";
+  const std::size_t number = column_index(report->table, "view");
+  EXPECT_EQ(to_string(report->table.rows[0][number]), "1");
+  EXPECT_EQ(to_string(report->table.rows[1][number]), "3");
+}
+
 }  // namespace
 }  // namespace umbrameter
