@@ -28,19 +28,30 @@ std::string code_line(std::string text, double value, std::size_t cascade, bool 
   return text.replace(text.find("{}"), 2, code_number(value));
 }
 
-// "quality = low, blur = 1".
-std::string settings_text(const BiasSpec& spec) {
+// Whether a number of the engine is another length there with another value of the setting.
+bool enters_formulas(const BiasSpec& spec, std::size_t setting, const std::vector<MapPlace>& places) {
+  BiasSettings other = spec.settings;
+  other.values[setting] = 1.5 * other.values[setting] + 0.25;
+  return std::ranges::any_of(spec.engine->numbers, [&](const BiasNumber& number) {
+    return std::ranges::any_of(places, [&](const MapPlace& place) {
+      return number.per_unit(place, spec.settings) != number.per_unit(place, other);
+    });
+  });
+}
+
+// "quality = low, blur = 1": the settings that enter the formulas at these places, and other faces than the engine's.
+std::string settings_text(const BiasSpec& spec, const std::vector<MapPlace>& places, bool has_factors) {
   std::string text;
   for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
     const BiasSetting& setting = spec.engine->settings[i];
     const double value = spec.settings.values[i];
-    if (std::isnan(value) || (setting.is_faces && value == setting.value)) continue;
+    if (setting.is_faces ? value == setting.value : std::isnan(value) || !enters_formulas(spec, i, places)) continue;
     std::string shown;  // several choices may have one factor
     for (const auto& [name, factor] : setting.choices) {
       if (factor == value) shown += (shown.empty() ? "" : " or ") + std::string(name);
     }
     const std::string number = fmt::format("{:.6g}{}", value, setting.unit == "m" ? " m" : "");
-    const bool is_factor = setting.unit == "1" && !setting.is_faces;
+    const bool is_factor = has_factors && setting.unit == "1" && !setting.is_faces;
     shown = shown.empty() ? number : is_factor ? fmt::format("{} (factor {})", shown, number) : shown;
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.name, shown);
   }
@@ -221,8 +232,8 @@ std::string range_of(double min, double max) {
 
 }  // namespace
 
-std::string title_of(const BiasSpec& spec) {
-  const std::string settings = settings_text(spec);
+std::string title_of(const BiasSpec& spec, const std::vector<MapPlace>& places, bool has_factors) {
+  const std::string settings = settings_text(spec, places, has_factors);
   return std::string(spec.engine->title) + (settings.empty() ? "" : ", " + settings);
 }
 
@@ -271,7 +282,7 @@ std::vector<std::string> notes_of(const ConvertedTarget& target) {
 
 std::vector<std::string> to_lines(const ConvertedBias& bias) {
   std::vector<std::string> lines;
-  const std::string settings = settings_text(bias.source);
+  const std::string settings = settings_text(bias.source, bias.source_places, true);
   lines.push_back(fmt::format("from {}: {}{}", bias.source.engine->title,
                               numbers_text(bias.source, bias.places.front().light),
                               settings.empty() ? "" : "; with " + settings));
@@ -284,7 +295,7 @@ std::vector<std::string> to_lines(const ConvertedBias& bias) {
     const std::vector<std::string> code = code_lines(target);
     if (code.empty()) continue;
     lines.emplace_back();
-    lines.push_back(title_of(target.spec) + ", rounded up:");
+    lines.push_back(title_of(target.spec, target.places, true) + ", rounded up:");
     for (const std::string& line : code) lines.push_back("  " + line);
   }
   return lines;

@@ -12,8 +12,8 @@ namespace umbrameter {
 std::vector<std::string> to_lines(const ConvertedBias& bias);
 nlohmann::ordered_json to_json(const ConvertedBias& bias);
 
-/// "Godot 4, blur = 1, quality = low": an engine with the settings that enter its formulas.
-std::string title_of(const BiasSpec& spec);
+/// "Godot 4, blur = 1, quality = low (factor 2)": an engine with the settings that enter its formulas at these places.
+std::string title_of(const BiasSpec& spec, const std::vector<MapPlace>& places, bool has_factors = false);
 
 /// What sets the target's numbers, in the engine's own code or our flags; a line each. Remarks are comments of that
 /// code.

@@ -161,8 +161,8 @@ std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, 
     const bool has_that_bias =
         has_number(*each.target.spec.engine, BiasTerm::constant) && own_drawing_text(each).empty();
     const std::string of_bias = bias.empty() ? "" : has_that_bias ? fmt::format(", {},", bias) : ",";
-    lines.push_back(
-        fmt::format("  {}{} in {}: {}", what, of_bias, title_of(each.target.spec), engine_error_text(each)));
+    lines.push_back(fmt::format("  {}{} in {}: {}", what, of_bias, title_of(each.target.spec, each.target.places),
+                                engine_error_text(each)));
     for (const std::string& code : shown_numbers(each, true)) lines.push_back("    " + code);
     for (const std::string& note : notes_of_advice(each)) lines.push_back(note_mark + note);
   }
@@ -198,7 +198,7 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
       if (!set.empty()) set += set.ends_with(';') || set.ends_with(',') ? " " : "; ";
       set += code;
     }
-    table.rows.push_back({title_of(each.target.spec), set.empty() ? no_number_text(each) : set,
+    table.rows.push_back({title_of(each.target.spec, each.target.places), set.empty() ? no_number_text(each) : set,
                           share(each.measured, &BiasCell::mae), share(each.measured, &BiasCell::acne),
                           share(each.by_default, &BiasCell::mae)});
   }

@@ -109,6 +109,16 @@ TEST(Convert, The_table_has_every_unit_and_the_code_of_each_engine) {
   }
 }
 
+TEST(Convert, Settings_are_named_where_they_enter_the_formulas) {
+  const auto header = [](const char* light) {
+    return convert({"courtyard", "--light", light, "--from", "texels:2", "--to", "godot"}).out;
+  };
+  EXPECT_NE(header("sun").find("Godot 4, blur = 1, quality = low or medium (factor 2), pancake = 20 m, rounded up:"),
+            std::string::npos)
+      << header("sun");
+  EXPECT_NE(header("lantern").find("Godot 4, rounded up:"), std::string::npos) << header("lantern");
+}
+
 TEST(Convert, Second_hand_formulas_say_so) {
   const ProgramResult result = convert({"courtyard", "--light", "sun", "--from", "metres:0.05", "--to", "unreal"});
   EXPECT_NE(result.err.find("unreal, not verified: all of it is second-hand"), std::string::npos) << result.err;
