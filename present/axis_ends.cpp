@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/lists.h"
+#include "present/sweep_report.h"
 #include "results/number_text.h"
 
 namespace umbrameter {
@@ -74,7 +75,8 @@ std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best
     std::string setting;
     for (const std::size_t t : listed_axes) {
       const std::string& key = plan.axes[t].key;
-      setting += (setting.empty() ? "" : ", ") + key.substr(key.find('.') + 1) + " " + short_text(best.rows[r][t]);
+      setting += (setting.empty() ? "" : ", ") + key.substr(key.find('.') + 1) + " " +
+                 value_text(plan.axes[t], best.rows[r][t]);
     }
     for (std::size_t a = 0; a < plan.axes.size(); ++a) {
       if (!is_listed(a)) add_end(best.rows[r], a, setting);

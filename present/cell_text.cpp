@@ -39,26 +39,22 @@ std::vector<std::size_t> read_axes(const SweepResults& sweep, const std::vector<
   return axes;
 }
 
+std::string value_text(const SweepAxis& axis, const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr) return with_unit(short_text(value), axis.unit);
+  std::vector<double> values = mapped(axis.values, [](const Value& each) { return to_number(each); });
+  std::ranges::sort(values);
+  const int digits = digits_on_axis(values, *number);
+  if (axis.unit == "m") return metres_text(*number, digits);
+  return with_unit(std::abs(*number) < 1e4 ? with_minus(fmt::format("{:.{}g}", *number, digits)) : short_text(value),
+                   axis.unit);
+}
+
 std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes) {
-  std::string text;
-  for (const std::size_t a : axes) {
+  return joined(axes, ", ", [&](const std::size_t a) {
     const SweepAxis& axis = sweep.plan.axes[a];
-    text += (text.empty() ? "" : ", ") + axis.key + " ";
-    const auto* number = std::get_if<double>(&row[a]);
-    std::vector<double> values;
-    if (number != nullptr) values = mapped(axis.values, [](const Value& value) { return to_number(value); });
-    std::ranges::sort(values);
-    const int digits = number != nullptr ? digits_on_axis(values, *number) : 0;
-    if (number != nullptr && axis.unit == "m") {
-      text += metres_text(*number, digits);
-    } else {
-      text +=
-          with_unit(number != nullptr && std::abs(*number) < 1e4 ? with_minus(fmt::format("{:.{}g}", *number, digits))
-                                                                 : short_text(row[a]),
-                    axis.unit);
-    }
-  }
-  return text;
+    return axis.key + " " + value_text(axis, row[a]);
+  });
 }
 
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {

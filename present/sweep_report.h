@@ -17,7 +17,9 @@ Table best_rows(const SweepResults& sweep);
 /// Those of the axes whose parameters change something in the cell of a row: no size of a kernel that its filter lacks.
 std::vector<std::size_t> read_axes(const SweepResults& sweep, const std::vector<Value>& row,
                                    std::vector<std::size_t> axes);
-/// The values of those axes: "shadow.resolution 256"; with fewer digits than sweep.csv.
+/// A value of an axis with its unit: "5 cm"; with fewer digits than sweep.csv.
+std::string value_text(const SweepAxis& axis, const Value& value);
+/// The values of those axes: "shadow.resolution 256 texels".
 std::string row_text(const SweepResults& sweep, const std::vector<Value>& row, const std::vector<std::size_t>& axes);
 /// Those of all axes that the cell reads, or of all where it reads none: "shadow.constant-bias 0.05 m,
 /// shadow.resolution 256".

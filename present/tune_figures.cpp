@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <ranges>
+#include <set>
 #include <utility>
 
 #include "present/plot_axes.h"
@@ -87,6 +88,36 @@ PlotFigure search_figure(const TuneSummary& summary) {
     }
   }
   return plot;
+}
+
+ReportTable front_table(const TuneSummary& summary, const std::vector<TunePoint>& front) {
+  Table table;
+  for (const TuneAxis& axis : summary.axes) table.columns.push_back({axis.key(), "", "value"});
+  for (const std::size_t c : objectives_of(summary.goal)) {
+    table.columns.push_back({column_words(summary.goal, c) + of_cases_text(summary.goal, summary.cases.size()), "",
+                             summary.goal.columns[c].meaning});
+  }
+  constexpr std::size_t max_rows = 30;
+  const std::vector<std::size_t> thinned = thin(front.size(), max_rows).indices;
+  std::set<std::size_t> shown(thinned.begin(), thinned.end());
+  const auto best = std::ranges::find(front, summary.result.best.values, &TunePoint::values);
+  if (best != front.end()) shown.insert(static_cast<std::size_t>(best - front.begin()));
+  for (const std::size_t i : shown) {
+    std::vector<Value> row;
+    for (std::size_t a = 0; a < summary.axes.size(); ++a) {
+      row.emplace_back(value_text(summary.axes[a], front[i].values[a]));
+    }
+    for (const std::size_t c : objectives_of(summary.goal)) {
+      row.emplace_back(statistic_text(aggregate(summary.goal, c, front[i].cases), summary.goal.columns[c].unit));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  ReportTable report{"Pareto front", std::move(table)};
+  if (shown.size() < front.size()) {
+    report.remarks.push_back(fmt::format("{} of the front's {} points, the best one among them; summary.json has all.",
+                                         shown.size(), front.size()));
+  }
+  return report;
 }
 
 PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>& front) {

@@ -97,27 +97,6 @@ std::vector<std::string> lines_of(const Table& table) {
   return aligned(rows);
 }
 
-Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& front) {
-  Table table;
-  for (const TuneAxis& axis : summary.axes) table.columns.push_back({axis.key(), "", "value"});
-  for (const std::size_t c : objectives_of(summary.goal)) {
-    table.columns.push_back({column_words(summary.goal, c) + of_cases_text(summary.goal, summary.cases.size()), "",
-                             summary.goal.columns[c].meaning});
-  }
-  constexpr std::size_t max_rows = 30;
-  for (const std::size_t i : thin(front.size(), max_rows).indices) {
-    std::vector<Value> row;
-    for (std::size_t a = 0; a < summary.axes.size(); ++a) {
-      row.emplace_back(value_text(summary.axes[a], front[i].values[a]));
-    }
-    for (const std::size_t c : objectives_of(summary.goal)) {
-      row.emplace_back(statistic_text(aggregate(summary.goal, c, front[i].cases), summary.goal.columns[c].unit));
-    }
-    table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
 std::string constraint_line(const TuneSummary& summary) {
   if (summary.goal.constraints.empty()) return {};
   if (!summary.result.best.score.is_kept())
@@ -373,7 +352,7 @@ Presentation present_tuning(const TuneSummary& summary) {
   section.tables.push_back({"Sensitivity to each parameter, the others as in the best point", sensitivity});
   section.tables.push_back({"Each case", case_table(summary)});
   if (objectives_of(goal).size() > 1) {
-    section.tables.push_back({"Pareto front", front_table(summary, front)});
+    section.tables.push_back(front_table(summary, front));
     add_figure(shown_part, front_figure(summary, front));
   }
   for (const AxisScan& scan : result.scans) {

@@ -90,9 +90,10 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
-    reason = "they are a bias of another length at each distance from the light, which ours cannot be on this map";
+    reason =
+        "their bias is another length at each distance from the light, which our rasteriser cannot draw on this map";
     if (layout.kind == MapKind::perspective && layout.encoded_near == 0.0)
-      reason += "; --shadow.depth-encoding perspective makes such a bias possible";
+      reason += "; --shadow.depth-encoding perspective makes it possible";
     return {};
   }
   const AtPlaces normal(places, terms, &BiasTerms::normal);

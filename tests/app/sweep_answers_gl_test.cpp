@@ -28,6 +28,13 @@ TEST_F(SweepAnswers, A_line_about_a_group_of_cells_names_it_though_its_best_cell
   expect_words(result.out, {"\n  shadow.receiver-plane false: least error ", " at shadow.technique vsm\n"});
 }
 
+TEST_F(SweepAnswers, A_warning_of_an_end_has_the_unit_of_the_values_it_names) {
+  const ProgramResult result =
+      run_program({"sweep", "room", "--measure", "ao", "--truth.spp", "16", "--no-figures", "--vary",
+                   "ao.samples=8,16,64", "--vary", "ao.radius=1%,2%,4%", "--size", "96x54", "-o", folder_ / "out"});
+  expect_words(result.out, {"(64) for 3 combinations, one of them radius 1 % of the scene's size; extend it"});
+}
+
 TEST_F(SweepAnswers, Of_many_groups_the_best_are_printed_and_the_rest_is_counted) {
   const ProgramResult result =
       run_program({"sweep", "two-occluders", "--light", "spot", "--light.radius", "0.15", "--truth.spp", "64", "--vary",

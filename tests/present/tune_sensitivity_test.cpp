@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "experiments/settings/experiment.h"
+#include "present/presentation_parts.h"
 #include "present/tune_comparison.h"
+#include "present/tune_text.h"
 #include "tests/support/expect_words.h"
 
 namespace umbrameter {
@@ -45,6 +48,24 @@ TEST(TuneSensitivity, Of_an_axis_of_many_whole_numbers_the_measured_ones_are_nam
   summary.result.limit = {0.0105};
   summary.result.scans = {{0, {at(1947, 0.012), at(2037, 0.01), at(2048, 0.011)}}};
   EXPECT_EQ(to_string(sensitivity_table(summary).rows[0][3]), "2037 texels; no longer at 1947 and 2048 texels");
+}
+
+TEST(TuneFront, A_table_of_a_long_front_has_the_best_point_and_says_how_many_it_leaves_out) {
+  TuneSummary summary = summary_of("shadow.slope-bias", "0:4", "shadow", point(0.0, 0.0));
+  std::vector<TunePoint> front;
+  for (int i = 0; i < 100; ++i) front.push_back(TunePoint{{0.01 * i}, {{0.01}}, {}});
+  for (std::size_t best = 0; best < front.size(); ++best) {
+    summary.result.best = front[best];
+    const ReportTable table = front_table(summary, front);
+    const auto has_best = [&](const std::vector<Value>& row) {
+      return to_string(row[0]) == value_text(summary.axes[0], front[best].values[0]);
+    };
+    EXPECT_TRUE(std::ranges::any_of(table.table.rows, has_best)) << best;
+    ASSERT_EQ(table.remarks.size(), 1u);
+    EXPECT_EQ(table.remarks[0].find(std::to_string(table.table.rows.size()) + " of the front's 100 points"), 0u);
+  }
+  front.resize(10);
+  EXPECT_TRUE(front_table(summary, front).remarks.empty());
 }
 
 TEST(TuneComparison, A_word_without_a_cost_says_why) {
