@@ -55,7 +55,7 @@ void TuneRun::load(const Console& console) {
   }
   require_sense(cases);
   hold_out(console);
-  std::vector<TuneCase> all = cases;
+  std::vector<TuneCase> all = cases;  // a held-out case may have other lights
   all.insert(all.end(), unseen.begin(), unseen.end());
   require_sense(all);
   require_unseen(job, cases, unseen);

@@ -1,5 +1,7 @@
 #include "compare/map_views.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -120,7 +122,11 @@ Statistics describe(ViewStatistics& s) {
 
 Statistics describe(SeamStatistics& s) {
   return StatisticsDescription()
-      .field("pixels", s.pixels, "px", "counted pixels near the border of a view that a second view covers, too")
+      .field(
+          "pixels", s.pixels, "px",
+          fmt::format("counted pixels that a second view covers, too, near the border of theirs: in the outer {:g} % "
+                      "of a cascade's extent, or within a texel of the edge of a cube face or paraboloid",
+                      100.0 * seam_zone))
       .field("share", s.share, "1", "share of all counted pixels")
       .field("mean_difference", s.mean_difference, "1", "mean |difference of visibility| between the two views")
       .field("largest_difference", s.largest_difference, "1", "largest of these differences")

@@ -143,7 +143,7 @@ PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan);
 /// The least cost so far after each evaluation; with an axis of words, one line for each value of the first.
 PlotFigure search_figure(const TuneSummary& summary);
 
-/// About thirty points of the front, the best one among them.
+/// About thirty points of the front, among them the best one if it lies on it.
 ReportTable front_table(const TuneSummary& summary, const std::vector<TunePoint>& front);
 /// The second objective of the points of a Pareto front against the first.
 PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>& front);

@@ -114,8 +114,8 @@ ReportTable front_table(const TuneSummary& summary, const std::vector<TunePoint>
   }
   ReportTable report{"Pareto front", std::move(table)};
   if (shown.size() < front.size()) {
-    report.remarks.push_back(fmt::format("{} of the front's {} points, the best one among them; summary.json has all.",
-                                         shown.size(), front.size()));
+    report.remarks.push_back(fmt::format("{} of the front's {} points{}; summary.json has all.", shown.size(),
+                                         front.size(), best != front.end() ? ", the best one among them" : ""));
   }
   return report;
 }
