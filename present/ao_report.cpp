@@ -121,13 +121,14 @@ std::string no_ao_text(const Estimate& error, const Estimate& mean_truth, double
                      is_closer ? "closer" : "about as close", percent(without));
 }
 
-void add_without_ao(Presentation& presentation, const Estimate& error, const Estimate& mean_truth, double mean_raster) {
+void add_without_ao(Presentation& presentation, const Estimate& error, const Estimate& mean_truth, double mean_raster,
+                    const std::string& where) {
   if (const std::string warning = no_ao_text(error, mean_truth, mean_raster); !warning.empty()) {
-    presentation.answers.push_back("warning: " + warning);
+    presentation.answers.push_back("warning: " + where + warning);
   } else {
-    const std::string without = percent(without_ao(mean_truth));
-    presentation.lines.push_back("  AO: without any AO the error would be " + without);
-    presentation.section.text += "\n\nWithout any AO the error of ambient occlusion would be " + without + ".";
+    const std::string text = where + "without any AO the error would be " + percent(without_ao(mean_truth));
+    presentation.lines.push_back("  AO: " + text);
+    presentation.section.text += "\n\nAmbient occlusion: " + text + ".";
   }
 }
 

@@ -321,9 +321,9 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
         (distinct < needed
              ? fmt::format("there {} {}; vary more values, such as more resolutions", distinct == 1 ? "is" : "are",
                            distinct)
-             : fmt::format("{} do, but not enough of them have their bias inside the axis ({}); extend the axis of the "
-                           "bias",
-                           distinct, counts));
+             : fmt::format("{} do, but not enough of them have their bias inside the axis{} ({}); extend the axis of "
+                           "the bias",
+                           distinct, curves.varies_slope ? " at the slope-scaled bias nearest to 0" : "", counts));
     section.text += "\n\nThere is " + text + ".";
     presentation.lines.push_back(text);
     return;
@@ -354,8 +354,9 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     for (const CurveFormula* of : formulas) {
       if (!of->formula) continue;
       if (any == nullptr) any = &*of->formula;
-      const std::string slope =
-          of->slope != 0.0 ? ", slope-scaled bias " + with_unit(fmt::format("{:g}", of->slope), "texels") : "";
+      const std::string slope = curves.varies_slope || of->slope != 0.0
+                                    ? ", slope-scaled bias " + with_unit(fmt::format("{:g}", of->slope), "texels")
+                                    : "";
       const std::string errors = errors_text(*of->formula);
       const std::string line =
           fmt::format("formula ({}{}{}): {}{}; {}; {}", at, name_of(*of), slope, formula_text(*of->formula),

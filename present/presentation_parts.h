@@ -153,6 +153,7 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
 ViewerPack add_tune_images(Presentation& part, const SceneFacts& scene, const TuneFindings& tune);
 
 /// The mean absolute error of an image without occlusion, from the reference's mean; a warning where it is no larger.
-void add_without_ao(Presentation& presentation, const Estimate& error, const Estimate& mean_truth, double mean_raster);
+void add_without_ao(Presentation& presentation, const Estimate& error, const Estimate& mean_truth, double mean_raster,
+                    const std::string& where = "");
 
 }  // namespace umbrameter

@@ -361,7 +361,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
         return Estimate{to_number(least[c]), to_number(least[c + 1]), to_number(least[c + 2])};
       };
       add_without_ao(presentation, estimate_at(mae), estimate_at(column_index(best, "mean_truth")),
-                     to_number(least[column_index(best, "mean_raster")]));
+                     to_number(least[column_index(best, "mean_raster")]), "in the cell of least error, ");
     }
   }
   if (ranks_filters)

@@ -133,8 +133,11 @@ int digits_of_best(const TuneSummary& summary) {
   const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
   if (!result.plateau || axis == summary.axes.end()) return 3;
   const double best = to_number(result.best.values[static_cast<std::size_t>(axis - summary.axes.begin())]);
+  const BiasPlateau& plateau = *result.plateau;
+  // At least those of the range, which holds the best point.
+  const int of_range = rounded_inwards(plateau.first.constant, plateau.last.constant, plateau.least.constant).digits;
   const double shown = std::stod(fmt::format("{:.3g}", halves_up(best)));
-  return shown < result.plateau->first.constant || shown > result.plateau->last.constant ? 5 : 3;
+  return shown < plateau.first.constant || shown > plateau.last.constant ? std::max(5, of_range) : of_range;
 }
 
 std::string held_text(const TuneGoal& goal, const TunePoint& point, const std::vector<std::string>& cases) {

@@ -128,9 +128,13 @@ std::vector<KnownStatistic> require_statistic(const StatisticName& name, const s
   }
   if (!found.empty()) return found;
   names.insert(names.end(), more.begin(), more.end());
-  // What the answers call the error.
-  const std::string similar = name.name == "error" ? "its name is '" + std::string(error_statistic) + "'"
-                                                   : suggestion(similar_names(name.name, names));
+  // What the answers call them.
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> words = {
+      {{"error", error_statistic}, {"too_bright", "false_lit"}, {"too_dark", "false_blocked"}}};
+  const auto word = std::ranges::find_if(
+      words, [&](const auto& each) { return each.first == name.name && std::ranges::count(names, each.second) > 0; });
+  const std::string similar = word != words.end() ? "its name is '" + std::string(word->second) + "'"
+                                                  : suggestion(similar_names(name.name, names));
   std::string list;
   for (const KnownStatistic& each : known_statistics()) {
     const bool is_shown = each.is_error && each.kind != kinds[2];

@@ -202,9 +202,10 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
       }
     }
     if (!other_reference.empty()) {
-      limits.push_back(fmt::format(
-          "{} has another reference than {} where {} acts: differences there include that of the references", run.name,
-          base.name, other_reference));
+      limits.push_back(
+          fmt::format("{} has another reference than {} ({}): differences of what depends on it include that between "
+                      "the references",
+                      run.name, base.name, other_reference));
     }
     for (const MeasuredStatistic& measured : everything) {
       if (measured.name != pixels_statistic || find_same(run, measured) != nullptr) continue;

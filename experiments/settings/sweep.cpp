@@ -52,6 +52,9 @@ std::vector<double> spaced(double first, double last, std::size_t count, bool lo
     }
     const double t = static_cast<double>(i) / static_cast<double>(count - 1);
     values[i] = rounded(logarithmic ? first * std::pow(last / first, t) : first + (last - first) * t);
+    // What is left of 0 between a negative and a positive end.
+    constexpr double rounding = 1e-14;
+    if (std::abs(values[i]) < rounding * std::max(std::abs(first), std::abs(last)) && !logarithmic) values[i] = 0.0;
   }
   return values;
 }

@@ -85,6 +85,8 @@ TEST_F(MeasuredParts, The_error_of_the_answers_is_known_by_its_name) {
   const ProgramResult refused = run("compare", {"--fail-if", "error>5%"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_NE(refused.err.find("there is no statistic 'error'; its name is 'mae'"), std::string::npos) << refused.err;
+  const std::string bright = run("compare", {"--fail-if", "too_bright>5%"}).err;
+  EXPECT_NE(bright.find("; its name is 'false_lit'"), std::string::npos) << bright;
 }
 
 TEST_F(MeasuredParts, A_condition_on_a_cause_of_a_soft_shadow_is_refused_before_anything_is_measured) {

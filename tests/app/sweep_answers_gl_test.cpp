@@ -35,6 +35,13 @@ TEST_F(SweepAnswers, A_warning_of_an_end_has_the_unit_of_the_values_it_names) {
   expect_words(result.out, {"(64) for 3 combinations, one of them radius 1 % of the scene's size; extend it"});
 }
 
+TEST_F(SweepAnswers, The_error_without_ambient_occlusion_is_that_of_the_cell_of_least_error) {
+  const ProgramResult result =
+      run_program({"sweep", "city", "--measure", "ao", "--truth.spp", "128", "--no-figures", "--vary",
+                   "ao.radius=1%,4%", "--vary", "view.camera=0,2", "--size", "96x54", "-o", folder_ / "out"});
+  expect_words(result.out, {"in the cell of least error, without any AO the error would be "});
+}
+
 TEST_F(SweepAnswers, Of_many_groups_the_best_are_printed_and_the_rest_is_counted) {
   const ProgramResult result =
       run_program({"sweep", "two-occluders", "--light", "spot", "--light.radius", "0.15", "--truth.spp", "64", "--vary",

@@ -33,6 +33,7 @@ TEST(Sweep, A_linear_axis_meets_both_ends) {
   SweptSample sample;
   EXPECT_EQ(numbers(parse_axis(describe(sample), "s.bias=0:1:5")), (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
   EXPECT_EQ(numbers(parse_axis(describe(sample), "s.bias=0.3:0.3:1")), (std::vector<double>{0.3}));
+  EXPECT_EQ(numbers(parse_axis(describe(sample), "s.bias=-0.02:0.08:51"))[10], 0.0) << "not what rounding leaves";
   EXPECT_EQ(numbers(parse_axis(describe(sample), "s.bias=0:0.8:9"))[7], 0.7) << "0.7, not 0.7000000000000001";
   EXPECT_EQ(sample.bias, 0.0) << "reading an axis leaves the parameter as it was";
 }
