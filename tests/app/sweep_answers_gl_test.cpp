@@ -37,8 +37,8 @@ TEST_F(SweepAnswers, A_warning_of_an_end_has_the_unit_of_the_values_it_names) {
 
 TEST_F(SweepAnswers, The_error_without_ambient_occlusion_is_that_of_the_cell_of_least_error) {
   const ProgramResult result =
-      run_program({"sweep", "city", "--measure", "ao", "--truth.spp", "128", "--no-figures", "--vary",
-                   "ao.radius=1%,4%", "--vary", "view.camera=0,2", "--size", "96x54", "-o", folder_ / "out"});
+      run_program({"sweep", "city", "--measure", "ao", "--truth.spp", "64", "--no-figures", "--ao.radius", "4%",
+                   "--vary", "view.camera=0,2", "--size", "160x90", "-o", folder_ / "out"});
   expect_words(result.out, {"in the cell of least error, without any AO the error would be "});
 }
 
