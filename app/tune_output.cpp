@@ -276,8 +276,8 @@ ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measu
   }
   return resumable([&] { return search_and_write(run, journal, folder, measured, console); },
                    [&] {
-                     return fmt::format("{} evaluations are stored in {}; rerun the command to resume", journal.count(),
-                                        journal_path.string());
+                     return fmt::format("{} evaluation{} stored in {}; rerun the command to resume", journal.count(),
+                                        journal.count() == 1 ? " is" : "s are", journal_path.string());
                    });
 }
 

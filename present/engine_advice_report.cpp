@@ -89,7 +89,7 @@ std::string own_drawing_text(const EngineAdvice& advice) {
                                                 : "front faces of single-sided surfaces"));
   }
   if (advice.has_own_offset) {
-    // Without a factor of its own it may have one from its numbers.
+    // Where it has no fixed factor, its numbers may set one.
     const std::string factor = engine.polygon_factor == 0.0 ? "" : fmt::format("factor {:g}, ", engine.polygon_factor);
     parts.push_back(factor.empty() && engine.polygon_units == 0.0
                         ? "draws without this polygon offset"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 #include "core/error.h"
@@ -28,6 +29,13 @@ void add(std::vector<KnownStatistic>& all, KnownStatistic statistic) {
 std::string title_of(const Statistic& statistic) {
   if (!statistic.curve.title.empty()) return statistic.curve.title;
   return statistic.meaning.substr(0, statistic.meaning.find_first_of(":;,"));
+}
+
+// "Too bright" of "too_bright".
+bool is_title(std::string_view title, std::string_view name) {
+  return std::ranges::equal(title, name, [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == std::tolower(b) || (a == ' ' && b == '_');
+  });
 }
 
 void add_described(std::vector<KnownStatistic>& all, CellStatistics statistics) {
@@ -128,13 +136,13 @@ std::vector<KnownStatistic> require_statistic(const StatisticName& name, const s
   }
   if (!found.empty()) return found;
   names.insert(names.end(), more.begin(), more.end());
-  // What the answers call them.
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> words = {
-      {{"error", error_statistic}, {"too_bright", "false_lit"}, {"too_dark", "false_blocked"}}};
-  const auto word = std::ranges::find_if(
-      words, [&](const auto& each) { return each.first == name.name && std::ranges::count(names, each.second) > 0; });
-  const std::string similar = word != words.end() ? "its name is '" + std::string(word->second) + "'"
-                                                  : suggestion(similar_names(name.name, names));
+  // The answers call the mean absolute error just so, and the others by their titles.
+  std::string own = name.name == "error" ? std::string(error_statistic) : "";
+  for (const KnownStatistic& each : known_statistics()) {
+    const bool is_of_kind = name.kind.empty() || each.kind == name.kind;
+    if (own.empty() && is_of_kind && is_title(each.title, name.name)) own = each.name;
+  }
+  const std::string similar = own.empty() ? suggestion(similar_names(name.name, names)) : "its name is '" + own + "'";
   std::string list;
   for (const KnownStatistic& each : known_statistics()) {
     const bool is_shown = each.is_error && each.kind != kinds[2];

@@ -97,9 +97,11 @@ GateCheck check(const BudgetEntry& entry, const MeasuredStatistic& measured) {
   const double value = value_for(entry, measured);
   result.is_kept = holds(value, entry.bound.relation, result.bound);  // false for NaN
   result.excess = is_upper(entry.bound.relation) ? value - result.bound : result.bound - value;
-  // A bound below the value is met by the interval's lower half, which is longer where noise adds to an error.
-  const bool is_below = (value > result.bound) != (value != measured.value);
-  const double half = is_below ? measured.value - measured.lower : measured.half_width;
+  // The half of the interval that lies towards the bound; the lower one is longer where noise adds to an error. The
+  // magnitude of a negative value falls where the value rises.
+  const bool is_mirrored = value != measured.value;
+  const bool is_lower = is_mirrored ? value < result.bound : value > result.bound;
+  const double half = is_lower ? measured.value - measured.lower : measured.half_width;
   result.intervals = half > 0.0 ? result.excess / half : std::numeric_limits<double>::quiet_NaN();
   return result;
 }
