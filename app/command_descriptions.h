@@ -52,7 +52,7 @@ inline constexpr CommandDescription raster_command = {
     "raster", "Render the techniques alone: OpenGL, no Embree",
     "Example: umbrameter raster courtyard -o out --shadow.filter box --shadow.filter-size 5"};
 inline constexpr CommandDescription evaluate_command = {
-    "evaluate", "Measure a frame that an engine wrote to files: shadow mask, AO, or two frames",
+    "evaluate", "Measure what an engine wrote to files: a shadow mask, AO, or a frame with and without them",
     "Example: umbrameter evaluate scene.glb -o out --visibility mask.exr --depth depth.exr \\\n"
     "             --convention opengl --size 1280x720\n"
     "Camera and light are those of the scene, or --frame.camera; docs/evaluate.md."};
@@ -90,7 +90,7 @@ inline constexpr CommandDescription serve_command = {
     "             umbrameter serve courtyard --light sun\n"
     "Requests and replies are JSON, one a line: docs/serve.md."};
 inline constexpr CommandDescription presets_command = {
-    "presets", "List the presets: engines' settings as ours",
+    "presets", "List the presets: settings of engines in this program's parameters",
     "Example: umbrameter compare courtyard --light sun --preset godot -o out"};
 inline constexpr CommandDescription info_command = {
     "info", "Show versions and OpenGL devices, or the contents of a scene", "Example: umbrameter info courtyard"};

@@ -128,8 +128,11 @@ std::vector<const Metric*> chosen_metrics(const DiffOptions& diff, ImageContent 
 std::string cell(double value, int digits) { return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value, digits); }
 
 constexpr const char* weighted_meaning =
-    "weighted 25 %, 50 %, 75 %: pixels with at most this value make up this part of the map's sum (FLIP's weighted "
-    "quartiles); - for a map with values below 0";
+    "weighted 25 %: the pixels of the map up to this value make up 25 % of its sum, likewise 50 % and 75 % (FLIP's "
+    "weighted quartiles); '-' where the map has values below 0. 99 % of pixels: the value that they do not exceed";
+
+constexpr const char* signed_edges =
+    "edge-displacement: above 0 shadows are larger than in REFERENCE; edge-width: above 0 edges are softer";
 
 constexpr const char* few_edges =
     "note: few edges pass from below 0.1 to above 0.9 in both images, as those of shadow masks do: "
@@ -141,8 +144,8 @@ constexpr const char* squared_maps =
 bool finds_few_edges(const std::vector<Measured>& all) {
   constexpr double few = 0.05;  // of the reference's edge points
   return std::ranges::any_of(all, [](const Measured& each) {
-    const auto detail =
-        std::ranges::find(each.result.details, edges_in_both, [](const auto& pair) { return pair.first; });
+    const auto detail = std::ranges::find_if(each.result.details,
+                                             [](const auto& pair) { return pair.first.starts_with(edges_in_both); });
     return (each.metric->name == "edges-found" && !(each.result.score >= few)) ||
            (detail != each.result.details.end() && !(detail->second >= few));
   });
@@ -150,8 +153,8 @@ bool finds_few_edges(const std::vector<Measured>& all) {
 
 // The statistics are those of the map; the JSON has more of them, and all digits.
 std::vector<std::string> table_lines(const std::vector<Measured>& all) {
-  std::vector<std::vector<std::string>> rows = {
-      {"metric", "score", "map: min", "weighted 25 %", "weighted 50 %", "weighted 75 %", "99 %", "max", "at x,y"}};
+  std::vector<std::vector<std::string>> rows = {{"metric", "score", "map: min", "weighted 25 %", "weighted 50 %",
+                                                 "weighted 75 %", "99 % of pixels", "max", "at x,y"}};
   for (const Measured& each : all) {
     const PooledMap& p = each.pooled;
     const std::string unit = each.metric->unit == "1" ? "" : " " + std::string(each.metric->unit);
@@ -286,6 +289,11 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
     print_line(console, squared_maps);
   }
   add_line(console, weighted_meaning);
+  if (std::ranges::any_of(all, [](const Measured& each) {
+        return each.metric->name == "edge-displacement" || each.metric->name == "edge-width";
+      })) {
+    add_line(console, signed_edges);
+  }
   if (misaligned) print_line(console, to_text(*misaligned));
   if (finds_few_edges(all)) add_line(console, few_edges);
   for (const Measured& each : all) {
@@ -293,7 +301,7 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
       if (std::isnan(value)) continue;
       const bool is_count = value == std::floor(value) && value > 1.0 && value < 1e15;
       add_line(console,
-               fmt::format("{}: {} {}", each.metric->name, name,
+               fmt::format("{}, {}: {}", each.metric->name, name,
                            is_count ? grouped(static_cast<std::uint64_t>(value)) : fmt::format("{:.4g}", value)));
     }
   }

@@ -218,8 +218,9 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     const bool has_intervals = has_cell(part.values, is_interval);
     section.tables.push_back({has_intervals ? "Errors, with 95 % intervals" : "Errors", part.values});
     section.text = has_intervals
-                       ? "95 % intervals cover the choice of pixels and the noise of the reference: blocks of pixels "
-                         "are left out in turn."
+                       ? std::string("95 % intervals cover the choice of pixels") +
+                             (part.is_sampled ? " and the noise of the reference" : "") +
+                             ": blocks of pixels are left out in turn."
                        : "These errors have no 95 % intervals" +
                              (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
     if (part.has_noise) {

@@ -124,8 +124,9 @@ Statistics describe(SeamStatistics& s) {
   return StatisticsDescription()
       .field(
           "pixels", s.pixels, "px",
-          fmt::format("counted pixels that a second view covers, too, near the border of theirs: in the outer {:g} % "
-                      "of a cascade's extent, or within a texel of the edge of a cube face or paraboloid",
+          fmt::format("counted pixels near the border of the view that they look up, where a second view covers them, "
+                      "too: in the outer {:g} % of a cascade's extent, or within a texel of the edge of a cube face or "
+                      "paraboloid",
                       100.0 * seam_zone))
       .field("share", s.share, "1", "share of all counted pixels")
       .field("mean_difference", s.mean_difference, "1", "mean |difference of visibility| between the two views")

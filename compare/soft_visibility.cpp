@@ -127,13 +127,13 @@ SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, con
 }
 Statistics describe(SoftVisibilityStatistics& s) {
   return StatisticsDescription()
-      .field(
-          "pixels", s.error.pixels, "px",
-          "counted pixels: they face the light, or a part of one with extent, and lie inside its map, cone and range")
+      .field("pixels", s.error.pixels, "px",
+             "counted pixels: they face the light (of an area light at least a part) and lie inside its map, cone and "
+             "range")
       .field("lit", s.error.mean_truth, "1", "mean visibility of the reference")
       .field("penumbra", s.penumbra, "1",
-             "weighted share of partly lit pixels, of an area light those in the penumbra: mean of 4V(1 − V), V the "
-             "visibility of the reference; a linear penumbra counts with 2/3 of its area")
+             "share of partly lit pixels (those in the penumbra of an area light), each weighted by 4V(1 − V), V the "
+             "visibility of the reference; a penumbra in which V rises linearly counts with 2/3 of its area")
       .field("mae", s.error.mae, "1", with_bounds("mean absolute error of visibility"),
              {"Mean absolute error of visibility", "mean absolute error [%], bounds"})
       .field("rmse", s.error.rmse, "1", "RMS error, corrected for the variance of the reference")

@@ -126,7 +126,8 @@ void add_without_ao(Presentation& presentation, const Estimate& error, const Est
   if (const std::string warning = no_ao_text(error, mean_truth, mean_raster); !warning.empty()) {
     presentation.answers.push_back("warning: " + where + warning);
   } else {
-    const std::string text = where + "without any AO the error would be " + percent(without_ao(mean_truth));
+    const std::string text =
+        where + "without any AO the mean absolute error would be " + percent(without_ao(mean_truth));
     presentation.lines.push_back("  AO: " + text);
     presentation.section.text += "\n\nAmbient occlusion: " + text + ".";
   }

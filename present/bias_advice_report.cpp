@@ -74,7 +74,8 @@ std::string advice_text(const BiasAdvice& advice) {
       says_where ? fmt::format("; of these, acne is at most 0.1 % from {} on", short_bias_text(advice, recommended))
                  : "";
   const bool shows_acne = is_for_acne || *reason != '\0' || recommended.acne > used.acne;
-  return fmt::format("use bias {}{}: {}error {} → {}; {}{}", bias_text(advice, recommended), reason,
+  return fmt::format("use bias {}{}{}: {}error {} → {}; {}{}", bias_text(advice, recommended), reason,
+                     least_error_text(advice.plateau),
                      shows_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
                      percent(used.mae), percent(recommended.mae), range + little_from,
                      acne_left(recommended, shows_acne ? "" : percent(used.acne) + " → "));
@@ -91,7 +92,7 @@ ReportTable advice_table(const BiasAdvice& advice) {
                {"along the light", on_average("m", is_in_metres),
                 "length along the light; texels are converted at their mean size"},
                {"in texels", on_average("texels", advice.unit == LengthUnit::texels),
-                "in texels of mean size over the counted pixels"},
+                "multiple of the texel size at each receiver; metres are converted at its mean"},
                {"in depth", on_average("1", advice.unit == LengthUnit::map_depth),
                 "of the depth that the map stores, from 0 to 1"},
                {"error", "%", "mean absolute error of visibility"}},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/lists.h"
@@ -78,6 +79,15 @@ bool is_cascade(const MapPlace& place) { return place.name.starts_with("cascade"
 // "cascade 2", "the nearest receiver".
 std::string with_article(const MapPlace& place) { return (is_cascade(place) ? "" : "the ") + place.name; }
 
+bool has_word(std::string_view text, std::string_view word) {
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_letter(text[at - 1])) && (end == text.size() || !is_letter(text[end]))) return true;
+  }
+  return false;
+}
+
 // What one unit of the source's numbers is, by its own t and R.
 std::vector<std::string> unit_lines(const ConvertedBias& bias) {
   std::vector<std::string> lines;
@@ -94,8 +104,19 @@ std::vector<std::string> unit_lines(const ConvertedBias& bias) {
     const std::string text = are_equal ? first : joined(places, ", ", [&](const MapPlace& place) {
       return metres(place) + (is_cascade(place) ? " in " : " at ") + with_article(place);
     });
-    lines.push_back(fmt::format("one unit of {} is {}: {}", number.name, text, number.formula));
+    lines.push_back(fmt::format("one unit of {} is {}; formula: {}", number.name, text,
+                                number.formula_for(bias.places.front().light)));
   }
+  const auto names = [&](const char* symbol) {
+    return std::ranges::any_of(lines, [&](const std::string& line) { return has_word(line, symbol); });
+  };
+  std::string symbols;
+  for (const auto& [symbol, meaning] : {std::pair{"t", "t is the size of a texel"},
+                                        {"R", "R is the depth range"},
+                                        {"d", "d is the depth of the receiver"}}) {
+    if (names(symbol)) symbols += (symbols.empty() ? "" : ", ") + std::string(meaning);
+  }
+  if (!symbols.empty()) lines.push_back("in the formulas " + symbols + ", as in the table:");
   return lines;
 }
 
@@ -141,14 +162,15 @@ std::string number_name(const ConvertedTarget& target, std::size_t number) {
 
 // A row for each number, a column for each place: as many engines as there are fit on a terminal.
 std::vector<std::vector<std::string>> number_rows(const ConvertedBias& bias) {
-  std::vector<std::vector<std::string>> rows{{"engine", "number", "unit"}};
-  for (const MapPlace& place : bias.places) rows.front().push_back(place.name);
+  std::vector<std::vector<std::string>> rows{{"engine", "parameter", "unit"}};
+  for (const MapPlace& place : bias.places) rows.front().push_back(bias.places.size() == 1 ? "value" : place.name);
   for (const ConvertedTarget& target : bias.targets) {
     const BiasEngine& engine = *target.spec.engine;
     for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
       if (is_idle(target, n)) continue;
-      std::vector<std::string>& row = rows.emplace_back(std::vector<std::string>{
-          std::string(engine.name), number_name(target, n), std::string(engine.numbers[n].unit)});
+      std::vector<std::string>& row = rows.emplace_back(
+          std::vector<std::string>{std::string(engine.name), number_name(target, n),
+                                   std::string(engine.numbers[n].unit == "1" ? "factor" : engine.numbers[n].unit)});
       for (const BiasConversion& each : target.conversions) {
         row.push_back(each.numbers[n].value ? table_number(*each.numbers[n].value) : "none");
       }

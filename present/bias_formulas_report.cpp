@@ -43,8 +43,8 @@ bool has_no_residual(const BiasFormula& formula) { return formula.residual < for
 
 std::string residual_text(const BiasFormula& formula) {
   if (has_no_residual(formula)) return "RMS residual 0, so that the standard errors are those of the bias axis's step";
-  return fmt::format("RMS residual {} ({:.2g} texels), largest {}", metres_text(formula.residual, 2),
-                     formula.residual_texels, metres_text(formula.worst_residual, 2));
+  return fmt::format("RMS residual {}, largest {}", metres_text(formula.residual, 2),
+                     metres_text(formula.worst_residual, 2));
 }
 
 std::string points_text(const CurveFormula& of) {
@@ -75,8 +75,9 @@ Table formulas_table(const BiasCurves& curves) {
   Table table;
   table.columns = curves.of_a_formula;
   const std::vector<Column> rest = {
-      {"formula of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
-      {"points", "1", "fitted points: one per combination of the formula's axes"},
+      {"formula of", "",
+       std::string("which bias is fitted") + (curves.varies_slope ? ", at the slope-scaled bias nearest to 0" : "")},
+      {"points", "1", "fitted points: one for each combination of the swept parameters other than the bias"},
       {"independent points", "1",
        "those that differ in texel size, Δz, filter radius or depth step; only they count in the standard errors"},
       {"left out", "1", "combinations without such a bias on the axis, or whose bias may lie beyond its end"},
@@ -94,13 +95,14 @@ Table formulas_table(const BiasCurves& curves) {
       {"texel sizes", "", "of the points"},
       {"Δz", "", "of the points"},
       {"filter radius", "texels", "of the points"},
-      {"depth step", "", "of the stored depth, of the points"}};
+      {"depth step", "", "of the stored depth, on average over the counted pixels of each point"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const CurveFormula& of : curves.formulas) {
     std::vector<Value> row = of.others;
     row.emplace_back(std::string(name_of(of)));
     row.emplace_back(static_cast<std::int64_t>(of.points.size()));
-    row.push_back(of.formula ? Value(static_cast<std::int64_t>(of.formula->independent)) : Value(std::string("—")));
+    row.emplace_back(
+        static_cast<std::int64_t>(of.formula ? of.formula->independent : support_of(of.points).independent));
     row.emplace_back(static_cast<std::int64_t>(of.left_out));
     if (of.formula) {
       const BiasFormula& formula = *of.formula;
@@ -175,7 +177,7 @@ std::string ranges_text(const BiasFormula& formula) {
   const bool is_each = formula.depth_per_texel.values > 1 && texels.find(" to ") == std::string::npos;
   std::string text =
       fmt::format("fitted over texel sizes of {}, Δz of {} ({} times the texel size{})", length_range(formula.texel),
-                  length_range(formula.depth_per_texel), texels, is_each ? " at every point" : "");
+                  length_range(formula.depth_per_texel), texels, is_each ? " at each point of the fit" : "");
   if (printed_term(formula, FormulaTerm::slope_radius))
     text += fmt::format(", r of {} texels", texel_range(formula.radius));
   if (printed_term(formula, FormulaTerm::depth_step)) text += ", δ of " + length_range(formula.depth_step);
@@ -189,12 +191,12 @@ PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& sett
   plot.stem = is_over_texel ? "bias_fit" : "formula";
   plot.title = is_over_texel ? "Bias against texel size" : "Bias by the formula less the measured bias";
   plot.conditions = setting_text(curves.of_a_formula, setting);
-  plot.caption = is_over_texel
-                     ? "Lines: formulas, with the Δz of each point. Rings: the measured biases, one per resolution."
-                     : fmt::format(
-                           "Points: one for each combination of {}. Above 0 the formula's bias is "
-                           "larger.",
-                           names_of(curves.formula_axes));
+  plot.caption = is_over_texel ? "Rings: the measured biases, one for each resolution and formula. Lines join what "
+                                 "each formula gives at its rings."
+                               : fmt::format(
+                                     "Points: one for each combination of {}. Above 0 the formula's bias is "
+                                     "larger.",
+                                     names_of(curves.formula_axes));
   plot.series = "formula";
   plot.series_label = "formula of";
   plot.is_scatter = !is_over_texel;
@@ -335,7 +337,9 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   const std::vector<const CurveFormula*> all = mapped(curves.formulas, [](const CurveFormula& of) { return &of; });
   const std::string symbols = symbols_text(all);
   section.text += fmt::format(
-      "\n\nThe table 'Formulas of the bias' fits the bias over {} by {}. {}{}Independent points differ in texel size, "
+      "\n\nEach row of the table 'Formulas of the bias' is a fit to several points, one for each value of {}: {}. "
+      "{}{}Independent "
+      "points differ in texel size, "
       "Δz, filter radius or depth step; only they count in the standard errors, which come from the residuals and "
       "from the step of the bias axis. Use a formula only within the range that it was fitted over.",
       names_of(curves.formula_axes), method, symbols, symbols.empty() ? "" : ". ");

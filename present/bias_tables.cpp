@@ -66,9 +66,11 @@ Table choices_table(const BiasCurves& curves) {
   Table table;
   table.columns = curves.others;
   const std::vector<Column> rest = {
-      {"choice", "", "which bias; 'acne at most 0.1 %' and 'no acne' use the slope-scaled bias nearest to 0"},
+      {"choice", "",
+       std::string("which bias; 'acne at most 0.1 %' and 'no acne' are the smallest such") +
+           (curves.varies_slope ? ", at the slope-scaled bias nearest to 0" : "")},
       {"constant bias", "m", "along the light"},
-      {"in texels", "texels", "constant bias in texels of mean size"},
+      {"in texels", "texels", "multiple of the texel size at each receiver; metres are converted at its mean"},
       {"in depth", "1", "constant bias in the depth that the map stores, from 0 to 1"},
       {"slope bias", "texels", "slope-scaled bias"},
       {"error", "%", "mean absolute error of visibility"},
@@ -112,14 +114,15 @@ Table choices_table(const BiasCurves& curves) {
 Table slopes_table(const BiasCurves& curves) {
   Table table;
   table.columns = curves.others;
-  const std::vector<Column> rest = {{"slope bias", "texels", "slope-scaled bias"},
-                                    {"least error", "%", "of all constant biases at this slope bias"},
-                                    {"at", "m", "constant bias of least error"},
-                                    {"at, in texels", "texels", "the same in texels of mean size"},
-                                    {"acne at most 0.1 % from", "m", "smallest such constant bias"},
-                                    {"from, in texels", "texels", "the same in texels of mean size"},
-                                    {"no acne from", "m", "smallest such constant bias"},
-                                    {"none from, in texels", "texels", "the same in texels of mean size"}};
+  const std::vector<Column> rest = {
+      {"slope bias", "texels", "slope-scaled bias"},
+      {"least error", "%", "of all constant biases at this slope bias"},
+      {"at", "m", "constant bias of least error"},
+      {"at, in texels", "texels", "the same as a multiple of the texel size at each receiver"},
+      {"acne at most 0.1 % from", "m", "smallest such constant bias"},
+      {"from, in texels", "texels", "the same as a multiple of the texel size at each receiver"},
+      {"no acne from", "m", "smallest such constant bias"},
+      {"none from, in texels", "texels", "the same as a multiple of the texel size at each receiver"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const BiasCurve& curve : curves.curves) {
     for (const BiasLine& line : curve.optima.lines) {
@@ -180,8 +183,9 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
   }
   const BiasCell& recommended = plateau.recommended;
   std::string text = fmt::format(
-      "use bias {}{}: error {}; {}{}", bias_text(curves, curve, recommended), reason_text(plateau),
-      percent(recommended.mae), plateau.first.constant == plateau.last.constant ? "" : "of the swept biases ",
+      "use bias {}{}{}: error {}; {}{}", bias_text(curves, curve, recommended), reason_text(plateau),
+      least_error_text(plateau), percent(recommended.mae),
+      plateau.first.constant == plateau.last.constant ? "" : "of the swept biases ",
       range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis, curves.constants));
   if (!plateau.has_little_acne()) {
     const auto line = std::ranges::find(curve.optima.lines, recommended.slope, &BiasLine::slope);
@@ -199,13 +203,13 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
 
 std::string explanation(const BiasCurves& curves) {
   std::string text =
-      "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
-      "and as normalised depth";
+      "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels and as "
+      "normalised depth";
   if (curves.varies_constant) {
     text +=
         "; a dash means that no bias of the axis qualifies or, at 'recommended', that this view cannot show which "
-        "is right";
-    if (curves.varies_slope) text += " (for 'acne at most 0.1 %' and 'no acne' at the slope-scaled bias nearest to 0)";
+        "is right. 'Acne at most 0.1 %' and 'no acne' are the smallest such biases";
+    if (curves.varies_slope) text += ", at the slope-scaled bias nearest to 0";
   }
   text += ". 'Extra error' and 'extra peter-panning' compare each choice with 'least error'.";
   if (curves.formulas.empty()) {

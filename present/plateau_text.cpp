@@ -52,14 +52,16 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
   const std::string of_unit = unit == LengthUnit::metres ? "" : fmt::format(" {}", unit_name(unit));
   const bool is_only = first == last;
   const bool has_none = plateau.least.mae == 0.0 && tolerance.empty();
-  const std::string good_by = tolerance.empty() ? tolerance_text(plateau.is_by_pixels) : tolerance;
-  const std::string at_least = what + (least.empty() ? "" : ", " + least);
   const bool counts_pixels = plateau.is_by_pixels && tolerance.empty();
-  const std::string good = has_none        ? (counts_pixels ? "at most " + good_by : fmt::format("no {}", what))
-                           : counts_pixels ? fmt::format("at most {} more than at the least {}", good_by, at_least)
-                                           : fmt::format("within {} of the least {}", good_by, at_least);
-  const bool is_within = !has_none && !counts_pixels;
-  const char* verb = is_within ? (is_only ? "is" : "are") : is_only ? "has" : "have";
+  const std::string by_pixels = tolerance_text(true);
+  const std::string good_by =
+      counts_pixels ? fmt::format("{:.2g} % ({})", 100.0 * (plateau.limit / plateau.least.mae - 1.0), by_pixels)
+                    : (tolerance.empty() ? tolerance_text(false) : tolerance);
+  const std::string good =
+      !has_none       ? fmt::format("within {} of the least {}{}", good_by, what, least.empty() ? "" : ", " + least)
+      : counts_pixels ? "at most " + by_pixels
+                      : fmt::format("no {}", what);
+  const char* verb = has_none ? (is_only ? "has" : "have") : is_only ? "is" : "are";
   if (is_only) return fmt::format("{} {} {}", only, verb, good);
   return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);
 }
@@ -69,12 +71,17 @@ const char* reason_text(const BiasPlateau& plateau, bool is_for_acne) {
   return decides && plateau.has_little_acne() ? " for acne of at most 0.1 %" : "";
 }
 
+const char* least_error_text(const BiasPlateau& plateau) {
+  const bool decides = plateau.recommended.constant > plateau.first.constant;
+  return decides && !plateau.has_little_acne() ? " for the least error" : "";
+}
+
 std::string acne_left_text(const std::string& acne, const std::optional<BiasCell>& little,
                            const std::string& little_text, bool is_swept) {
-  return fmt::format("acne {}, and {}", acne,
-                     little ? fmt::format("at most 0.1 % only from {}{} on, where the error is {}",
+  return fmt::format("acne {}; {}", acne,
+                     little ? fmt::format("it falls to at most 0.1 % only at {}{}, where the error is {}",
                                           is_swept ? "the swept bias " : "", little_text, percent(little->mae))
-                            : fmt::format("more than 0.1 % at every {}", is_swept ? "swept bias" : "bias"));
+                            : fmt::format("it is more than 0.1 % at every {}", is_swept ? "swept bias" : "bias"));
 }
 
 std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {

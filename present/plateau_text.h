@@ -38,8 +38,11 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
 /// `is_for_acne`, against the bias in use.
 const char* reason_text(const BiasPlateau& plateau, bool is_for_acne = false);
 
-/// "acne 0.256 %, and at most 0.1 % only from 2.5 texels on, where the error is 2.29 %": of a bias with more. `little`
-/// is the smallest bias with so little acne, of the swept ones or of all, and `little_text` its text.
+/// " for the least error" where no bias of the range has little acne and a smaller one is in the range.
+const char* least_error_text(const BiasPlateau& plateau);
+
+/// "acne 0.256 %; it falls to at most 0.1 % only at 2.5 texels, where the error is 2.29 %": of a bias with more.
+/// `little` is the smallest bias with so little acne, of the swept ones or of all, and `little_text` its text.
 std::string acne_left_text(const std::string& acne, const std::optional<BiasCell>& little,
                            const std::string& little_text, bool is_swept = false);
 

@@ -122,7 +122,7 @@ void add_head(Report& report, const RunResults& results) {
     report.title = scenes_of(*results.tune, scene) + ": tuning";
     report.subtitle = fmt::format("{}, {}×{} pixels", cases == 1 ? "1 case" : fmt::format("{} cases", cases),
                                   results.experiment.view.size.width, results.experiment.view.size.height);
-    report.command_title = "Measure the values to use";
+    report.command_title = "Run compare with the values to use";
     report.command = fmt::format("umbrameter compare -c {} -o OUT", tuned_file);
     return;
   }

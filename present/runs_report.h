@@ -15,13 +15,14 @@ struct PartTables {
   std::string stem;   ///< file name of its LaTeX tables: "shadow_sun", the light as in the names of figures
   std::string title;  ///< "Shadow of sun"
   // The page's tables name statistics in words.
-  Table values;  ///< value ± half width of its 95 % interval, which covers pixels and rays, or with a * rays alone
+  Table values;  ///< value ± half width of its 95 % interval, over pixels and, if sampled, rays; with a * over rays
   Table differences;  ///< to the first run; in parentheses where not shown to be significant; no rows for a single run
   Table all;          ///< every statistic of every run, errors or not, with the kind of the test
   /// For print, which has columns: one row for each error, named in words, one column for each run. Errors that no run
   /// has a value of are left out.
   Table printed_values;
   Table printed_differences;   ///< to the first run, those with an interval; an asterisk where significant
+  bool is_sampled = false;     ///< the reference of a run
   bool has_noise = false;      ///< of the reference, which may have raised a value
   std::size_t few_blocks = 0;  ///< that hold counted pixels, where they are too few for an interval; else 0
 };

@@ -19,7 +19,7 @@ namespace {
 std::string counted_text(const CountedPixels& counted, bool is_soft, bool is_traced) {
   const auto total = [&](PixelExclusion c) { return counted.totals[static_cast<std::size_t>(c)]; };
   std::string text = fmt::format("{} counted pixels face {}the light and lie inside its map, cone and range.",
-                                 grouped(total(PixelExclusion::none)), is_soft ? "part of " : "");
+                                 grouped(total(PixelExclusion::none)), is_soft ? "at least a part of " : "");
   const char* separator = " Not counted: ";
   for (const auto& [exclusion, name] : {std::pair{PixelExclusion::back_facing, "back-facing"},
                                         {PixelExclusion::outside_map, "outside the map"},
@@ -76,8 +76,7 @@ void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
   const bool is_mean = texels_differ(shadow.layout) && (given == LengthUnit::texels || !is_linear);
   const auto converted = [&](LengthUnit own) { return std::string(is_mean && given != own ? ", on average" : ""); };
   table.rows.push_back({"along the light" + converted(LengthUnit::metres), known(bias.metres), std::string("m")});
-  table.rows.push_back(
-      {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
+  table.rows.push_back({"in texels (mean size " + metres_text(texel) + ")", known(bias.texels), std::string("texels")});
   const bool is_of_cascades =
       shadow.layout.kind == MapKind::orthographic && shadow.experiment.shadow.fit.cascade_bias == own_range;
   const std::string unit = metres_text(shadow.depth_unit);
@@ -88,11 +87,6 @@ void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
   section.tables.push_back({"Constant bias of these images", std::move(table)});
 }
 
-const char* flags_without_extent(const Emitter& emitter) {
-  if (std::holds_alternative<DistantEmitter>(emitter)) return "--light.angle 0";
-  return std::holds_alternative<RectangleEmitter>(emitter) ? "--light.width 0 --light.height 0" : "--light.radius 0";
-}
-
 TechniqueCapabilities capabilities_of(const ShadowMeasurement& shadow) {
   return umbrameter::capabilities_of(make_technique(shadow.experiment.shadow));
 }
@@ -101,16 +95,14 @@ TechniqueCapabilities capabilities_of(const ShadowMeasurement& shadow) {
 std::string no_advice_text(const ShadowMeasurement& shadow) {
   if (!renderer_title(shadow.experiment).empty()) return {};
   const TechniqueCapabilities technique = capabilities_of(shadow);
-  const std::string flags = shadow.experiment.truth.shadow == ShadowReference::pixel
-                                ? "--truth.shadow point"
-                                : flags_without_extent(shadow.emitter);
   const std::string name = technique_name(shadow.experiment);
   if (!reads_map(shadow.experiment)) return fmt::format("; no bias recommended: {} reads no shadow map", name);
   const std::string reason =
       !technique.sums_comparisons && !technique.reads_light_extent
           ? "acne cannot be counted for " + name + ", as its result is no sum of depth comparisons"
-      : !technique.taps_independent_of_bias ? "the kernel of " + name + " depends on the bias"
-                                            : "acne can be counted only in a hard shadow (" + flags + ")";
+      : !technique.taps_independent_of_bias
+          ? "the kernel of " + name + " depends on the bias"
+          : "acne can be counted only in a hard shadow (--truth.shadow point: one ray to the light's centre)";
   return "; no bias recommended: " + reason + "; umbrameter tune finds the bias of least error";
 }
 
@@ -177,18 +169,18 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       {"too dark", percent(s.error.too_dark), "part where the technique is darker than the reference"},
       {"too bright", percent(s.error.too_bright), "part where the technique is brighter than the reference"},
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
-      {penumbra_name, percent(s.penumbra), "mean of 4V(1 − V) over the counted pixels, V the reference"},
+      {penumbra_name, percent(s.penumbra), "of the counted pixels, each weighted by 4V(1 − V), V the reference"},
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   const std::string soft = fmt::format("its soft shadow ({})", extent);
   const std::string of_pixel = "the mean over each pixel" + (extent.empty() ? "" : " of " + soft);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{} against {}; too dark {}, too bright {}; {} {} (mean of 4V(1 − V), V the visibility of the "
-      "reference){}",
+      "{}: error {}{} against {}; too dark {}, too bright {}; {} {} of the counted pixels "
+      "(each weighted by 4V(1 − V), V the visibility of the reference){}",
       title, percent(s.error.mae), few_pixels_text(s.error.pixels), is_over_pixel ? of_pixel : soft,
-      percent(s.error.too_dark), percent(s.error.too_bright), penumbra_name, percent(s.penumbra),
-      no_advice_text(shadow)));
+      percent(s.error.too_dark), percent(s.error.too_bright), extent.empty() ? "partly lit are" : "the penumbra covers",
+      percent(s.penumbra), no_advice_text(shadow)));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t max_casters = 12;  // that the page lists
 
 constexpr std::string_view units_note =
-    "Metres are straight lines in the scene; texels count only the part across the light. Median and largest are taken "
-    "in each unit separately.";
+    "Metres are straight lines in the scene; texels count only the part perpendicular to the light. Each "
+    "column is computed by itself: the largest distance in texels and that in metres may be of different pixels.";
 
 constexpr std::array<std::string_view, 2> soft_titles = {"too dark", "too bright"};
 
@@ -28,10 +28,11 @@ Table distance_table(const ErrorShape& shape) {
   Table table;
   table.columns = {{"error", "", "part of the error"}};
   for (const auto& [unit, where] :
-       {std::pair{"texels", "across the light"}, {"px", "in pixels"}, {"m", "in the scene"}}) {
+       {std::pair{"texels", "perpendicular to the light"}, {"px", "in pixels"}, {"m", "in the scene"}}) {
     for (const char* which : {"median", "95th percentile", "largest"}) {
       table.columns.push_back(
-          {which, unit, fmt::format("distance {} to the edge of the hard shadow that is nearest in the image", where)});
+          {which, unit,
+           fmt::format("distance, measured {}, to the edge of the hard shadow that is nearest in the image", where)});
     }
   }
   table.columns.push_back({"within 1 texel", "%", "share of this error at most one texel from an edge"});
@@ -66,7 +67,9 @@ std::string edges_text(const ErrorShape& shape, bool has_extent) {
         "4V(1 − V) of a pixel's error counts as inside: all of it at ½, none at 0 and 1.",
         percent(*shape.outside_penumbra), has_extent ? "penumbra" : "partly lit pixels");
     if (has_extent) {
-      text += " If all pixels of an even penumbra had the same error, a third of it would count as outside.";
+      text +=
+          " So a third of an error that is spread evenly over a penumbra counts as outside, if V changes linearly in "
+          "it.";
     }
   }
   return text;
@@ -106,7 +109,7 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
   Table table{
       {{"caster", "", "object that casts the shadow; most pixels first"},
        {"contacts", "px",
-        "pixels where, in the image, the reference shadow begins beside the caster or less than about a pixel from it"},
+        "pixels where, in the image, the reference shadow begins beside the caster or a pixel away from it"},
        {"without shadow", "px",
         "contacts where the technique has no shadow along the whole shadow of the reference: the gap is as long as "
         "that shadow"},
@@ -172,20 +175,21 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   PlotFigure figure;
   figure.stem = "edge_distance_" + layer;
   figure.title = "Distance of errors from shadow edges: " + title;
-  const char* part = shape.components ? "each cause's error" : "the error that is too dark, and of that too bright,";
+  const char* part = shape.components ? "each cause's error" : "the too dark error, and how much of the too bright,";
   const char* reasons =
-      shape.components ? "Most aliasing lies within one or two texels of an edge, or in a pixel beside it; a filter "
-                         "blurs edges over "
-                         "its width, and acne may lie far from any edge."
+      shape.components ? "Most aliasing lies within one or two texels of an edge, or in the pixels beside it where "
+                         "texels are smaller than pixels; a filter blurs edges over its width, and acne may lie far "
+                         "from any edge."
       : is_soft
-          ? "Errors of a cast penumbra lie no farther from an edge than the penumbra is wide, or in a pixel beside it; "
-            "a "
-            "filter adds its width; self-shadowing, light leak and surfaces that face only a part of the light may err "
-            "far from any edge."
+          ? "Errors of a cast penumbra lie no farther from an edge than the penumbra is wide; if it is narrower than a "
+            "pixel, they lie in the pixels beside the edge. A filter adds its width. Self-shadowing, light leak and "
+            "surfaces that face only a part of the light may err far from any edge."
           : "A filter blurs edges over its width; self-shadowing, light leak and missing shadows may err far from any "
             "edge.";
   figure.caption = fmt::format(
-      "Share of {} within a distance of the edge of the hard shadow{} that is nearest in the image. {} Where a shadow "
+      "How much of {} lies within a distance of a shadow edge. Edges are those of the hard shadow{}; the nearest in "
+      "the "
+      "image counts. {} Where a shadow "
       "ends at an object's outline or is thinner than a pixel, the image has no edge, and errors there count as far "
       "from one.",
       part, is_soft ? " of the light's centre" : "", reasons);

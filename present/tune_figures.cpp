@@ -63,9 +63,9 @@ PlotFigure search_figure(const TuneSummary& summary) {
   PlotFigure plot;
   plot.stem = "search";
   plot.title = "Least cost during the search";
-  plot.caption =
-      fmt::format("The least cost so far, after each evaluation{}. Points that break a constraint do not count.",
-                  has_words ? " with the same " + words->key() : "");
+  plot.caption = fmt::format("The least cost so far, after each evaluation{}.{}",
+                             has_words ? " with the same " + words->key() : "",
+                             summary.goal.constraints.empty() ? "" : " Points that break a constraint do not count.");
   plot.x = {"evaluation", "evaluation"};
   plot.y = {"cost", cost_label(summary.goal)};
   plot.data.columns = {{"evaluation", "1", "number"}, {"cost", "1", "least cost so far"}, {"word", "", "value"}};

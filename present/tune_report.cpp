@@ -189,7 +189,8 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   const TuneResult& result = summary.result;
   const TuneGoal& goal = summary.goal;
   std::string best = "best";
-  const char* where_kept = goal.constraints.empty() ? "" : " where the constraints are kept";
+  const bool is_free = goal.constraints.empty();
+  const char* where_kept = is_free ? "" : " where the constraints are kept";
   const bool has_cases = summary.cases.size() > 1;
   const std::string of_cases = of_cases_text(goal, summary.cases.size());
   if (result.withheld) {
@@ -198,20 +199,21 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   } else if (result.recommended) {
     const BiasCell& used = result.plateau->recommended;
     answers.push_back(fmt::format(
-        "use {}: {} {}{}, acne {}{}. Of the constant biases{}{}, this is, to three digits, the smallest that "
-        "costs at most {} more than the best of them and has acne of at most 0.1 %{}; a larger bias can detach shadows "
-        "that these views do not show",
+        "use {}: {} {}{}, acne {}{}. {} constant bias is{} the smallest (to three digits) whose cost is at most {} "
+        "above {} and whose acne is at most 0.1 %{}; a larger bias can detach shadows that these views do not show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
-        has_cases ? "at most " : "", percent(used.acne), goal.constraints.empty() ? "" : " that keep the constraints",
-        summary.axes.size() > 1 ? " (with the same other values)" : "", tolerance_text(summary),
-        has_cases ? " in every case of the search" : ""));
+        has_cases ? "at most " : "", percent(used.acne),
+        summary.axes.size() > 1 ? "With the other values as they are, this" : "This",
+        is_free ? "" : ", of those that keep the constraints,", tolerance_text(summary),
+        is_free ? "the least" : "their least", has_cases ? " in every case of the search" : ""));
     best = std::string("best point, of least cost") + where_kept;
   }
   const std::string best_values = point_text(summary.axes, result.best.values, digits_of_best(summary));
   // With the digits of the other points, so that it reads as the smallest.
   const std::string plain = cost_text(goal, result.best.score.cost);
   const std::string range = cost_text(goal, result.best.score.cost, summary.judgement.best);
-  constexpr const char* covers = "95 % interval, over pixels and rays";
+  const std::string covers =
+      std::string("95 % interval, over pixels") + (summary.judgement.covers_rays ? " and rays" : "");
   const std::size_t half_width = range.find(" ± ");
   const std::string cost =
       range == plain ? plain
@@ -235,7 +237,7 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     answers.push_back(fmt::format(
         "held out ({}): {}default {} → {}{}; {}",
         held.cases.size() > 2
-            ? fmt::format("{} cases, from '{}' to '{}'", held.cases.size(), held.cases.front(), held.cases.back())
+            ? fmt::format("{} cases: '{}', …, '{}'", held.cases.size(), held.cases.front(), held.cases.back())
             : joined(held.cases, "; "),
         goal.is_relative ? cost_words(absolute) + ", not relative: " : "", held_text(absolute, held.before, held.cases),
         held_text(absolute, checked, held.cases), of_cases_text(goal, held.cases.size(), true),
@@ -340,8 +342,9 @@ Presentation present_tuning(const TuneSummary& summary) {
   section.title = "Tuning";
   section.tables_first = true;
   section.text =
-      method_text(summary) +
-      "\n\n95 % intervals (± or a range) cover the choice of pixels and the noise of the reference: each of up to 64 "
+      method_text(summary) + "\n\n95 % intervals (± or a range) cover the choice of pixels" +
+      (summary.judgement.covers_rays ? " and the noise of the reference" : "") +
+      ": each of up to 64 "
       "blocks of the image is left out in turn (jackknife). Differences are paired: both points lose the same block. "
       "The point to use is checked on the held-out cases, if there are any.";
   if (const Table compared = comparison_table(summary); !compared.rows.empty()) {

@@ -8,6 +8,7 @@
 
 #include "core/lists.h"
 #include "present/axis_ends.h"
+#include "present/plateau_text.h"
 #include "present/tune_text.h"
 
 namespace umbrameter {
@@ -22,7 +23,8 @@ std::string pair_text(const TuneAxis& axis, const Value& a, const Value& b, cons
   return first + between + second;
 }
 
-// The measured values next to the range: it ends somewhere before them. "; no longer at 0.0841 and 0.484 texels".
+// The measured values next to the range: it ends somewhere before them. "; nearest measured outside: 0.0841 and 0.484
+// texels".
 std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const std::pair<Value, Value>& range) {
   const TuneAxis& axis = summary.axes[scan.axis];
   const bool is_exact = summary.result.plateau && axis.key() == constant_bias_key;
@@ -34,8 +36,8 @@ std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const
     if (to_number(value) > to_number(range.second) && !above) above = value;
   }
   if (!below && !above) return {};
-  if (below && above) return fmt::format("; no longer at {}", pair_text(axis, *below, *above, " and "));
-  return fmt::format("; no longer at {}", value_text(axis, below ? *below : *above));
+  if (below && above) return fmt::format("; nearest measured outside: {}", pair_text(axis, *below, *above, " and "));
+  return fmt::format("; nearest measured outside: {}", value_text(axis, below ? *below : *above));
 }
 
 std::string good_values_text(const TuneSummary& summary, const AxisScan& scan) {
@@ -129,12 +131,13 @@ Table sensitivity_table(const TuneSummary& summary) {
        {"axis", "", "values that were allowed"},
        {"best", "", "value of least cost"},
        {"within " + tolerance_text(summary) + (summary.goal.constraints.empty() ? "" : ", constraints kept"), "",
-        "range around it in which the cost is at most so much higher" +
+        "range around the best value in which the cost is at most so much higher" +
             (summary.result.limit.is_by_pixels
                  ? fmt::format(" ({} of all counted pixels, which is more than 5 %)", chance_pixels)
                  : std::string()) +
-            ". The range of a constant bias comes from its whole curve, if that was measured; any other spans measured "
-            "values, and the nearest ones outside are named. Values that break a constraint are outside"},
+            ". Of a constant bias the range comes from its whole curve, if that was measured; of any other parameter "
+            "from the measured values, of which the nearest beyond the range are named" +
+            (summary.goal.constraints.empty() ? "" : ". Values that break a constraint are outside")},
        {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};
   for (const AxisScan& scan : summary.result.scans) {

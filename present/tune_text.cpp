@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/settings/sweep_plan.h"
 #include "present/plateau_text.h"
 #include "present/presentation.h"
 #include "results/number_text.h"

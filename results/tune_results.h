@@ -84,7 +84,8 @@ struct TuneJudgement {
   std::size_t few_blocks = 0;              ///< that hold counted pixels, where they are too few for an interval; else 0
   std::optional<Estimate> against_before;  ///< best − default
   std::optional<Estimate> against_runner_up;  ///< best − runner-up
-  std::vector<ComparedPoint> compared;        ///< the default, then the best point with each word, or the best point
+  bool covers_rays = false;  ///< a reference is sampled, so that the intervals cover the noise of its rays, too
+  std::vector<ComparedPoint> compared;  ///< the default, then the best point with each word, or the best point
   std::optional<HeldOut> held_out;
 };
 

@@ -140,21 +140,19 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
                     "no pixels",
                     curves.curves.size(), curves.combinations));
   }
+  // Without any point the combinations left out are the reason.
+  if (!of.formula && !of.points.empty()) {
+    const FormulaSupport support = support_of(of.points);
+    of.warnings.push_back(
+        fmt::format("missing: it needs {} independent points and has {}", support.needed, support.independent));
+  }
   if (!left_out.empty()) {
     of.warnings.push_back(
         fmt::format("{} of {} combinations are left out, because no bias on the axis qualifies or the best may lie "
                     "beyond an end of it; extend shadow.constant-bias",
                     left_out.size(), left_out.size() + of.points.size()));
   }
-  if (!of.formula) {
-    // Without any point the combinations left out are the reason.
-    if (!of.points.empty()) {
-      const FormulaSupport support = support_of(of.points);
-      of.warnings.push_back(
-          fmt::format("not fitted: it needs {} independent points and has {}", support.needed, support.independent));
-    }
-    return;
-  }
+  if (!of.formula) return;
   std::vector<Value> first;
   std::size_t outside = 0;
   for (const LeftOut& left : left_out) {

@@ -29,6 +29,7 @@ struct MeasuredStatistic {
   double half_width = 0.0;     ///< how far other rays may move the value up, 95 % of them; 0 where nothing was sampled
   int degrees_of_freedom = 0;  ///< of the reference's variance of each pixel; 0 if not known
   double pixel_share = 0.0;    ///< what a whole pixel adds to a share whose reference is exact; else 0
+  bool is_sampled() const { return half_width > 0.0 || lower < value; }
   /// What a bound allows beyond a value: the noise of other rays, else 1 % and at least a pixel. Without rays a value
   /// repeats to the bit, so that head room is a choice and no interval.
   double head_room() const { return half_width > 0.0 ? half_width : std::max(0.01 * std::abs(value), pixel_share); }

@@ -125,7 +125,7 @@ std::string parameter_reference() {
 
 // Those that differ from their defaults come first.
 Table settings_table(Experiment experiment) {
-  Table table{{{"parameter", "", "full name: flag, key and column"},
+  Table table{{{"parameter", "", "full name: as a flag, as a key of experiment.toml and as a column"},
                {"value", "", "value in this run; for a varied parameter, its axis"},
                {"default", "", "value without the flag"},
                {"unit", "", "unit of a number that is written without one"},

@@ -1,5 +1,6 @@
 #include "experiments/tune/tune_judgement.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/interrupt.h"
@@ -74,6 +75,9 @@ TuneJudgement judge(const JudgeInput& in, const std::function<void(double)>& pro
   };
 
   TuneJudgement judgement;
+  judgement.covers_rays = std::ranges::any_of(in.cases, [](const TuneCase& each) {
+    return each.quantity != SweptQuantity::visibility || each.stages->is_sampled(each.experiment, each.light);
+  });
   const AtCase best = at(in, result.best.values);
   const LeftOutBlocks of_best = leave_out_blocks(in.cases, in.goal, best);
   judgement.few_blocks = few_blocks(of_best);

@@ -6,7 +6,7 @@ class Keywords(TypedDict, total=False):
     """The program's parameters."""
 
     scene_unit: str
-    """unit of lengths: mm, cm, m, km, inch, foot, or metres; text. Default: m."""
+    """unit of lengths: mm, cm, m, km, inch, foot, or metres: 0.3; text. Default: m."""
     scene_blend: Literal['opaque', 'leave-out', 'mask']
     """alpha-blended and transmissive surfaces; mask: holes where alpha is below 0.5; opaque, leave-out or mask. Default: opaque."""
     scene_ground: bool

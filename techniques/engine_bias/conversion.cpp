@@ -8,6 +8,7 @@
 
 #include "core/digits.h"
 #include "core/error.h"
+#include "core/lists.h"
 
 namespace umbrameter {
 namespace {
@@ -92,13 +93,32 @@ double rounded_up(double number, double step) {
 
 }  // namespace
 
+const char* profile_text(OffsetProfile profile) {
+  if (profile == OffsetProfile::constant) return "alike at every angle";
+  return profile == OffsetProfile::sine ? "× sin θ" : "× (1 − cos θ)";
+}
+
 std::string text_of(const OffsetKind& kind) {
-  std::string text = kind.side == OffsetSide::receiver ? "moves the receiver " : "moves the caster inwards ";
-  text += kind.direction == OffsetDirection::normal
-              ? "along its normal"
-              : "across the light (along its normal, without the part along the light)";
-  if (kind.profile == OffsetProfile::sine) return text + ", × sin θ";
-  return text + (kind.profile == OffsetProfile::constant ? ", alike at every angle" : ", × (1 − cos θ)");
+  std::string text = kind.side == OffsetSide::receiver ? "moves the receiver along its normal"
+                                                       : "moves the caster inwards along its normal";
+  text += std::string(", by a length ") + profile_text(kind.profile);
+  return text + (kind.direction == OffsetDirection::normal ? "" : ", less the component in the direction of the light");
+}
+
+std::string offset_difference(const OffsetKind& kind, const OffsetKind& other) {
+  std::vector<std::string> parts;
+  if (kind.side != other.side) {
+    parts.emplace_back(kind.side == OffsetSide::receiver ? "moves the receiver (not the caster)"
+                                                         : "moves the caster inwards (not the receiver)");
+  }
+  if (kind.profile != other.profile)
+    parts.push_back("has a length " + std::string(profile_text(kind.profile)) + " (not " + profile_text(other.profile) +
+                    ")");
+  if (kind.direction != other.direction) {
+    parts.emplace_back(kind.direction == OffsetDirection::normal ? "has a component in the direction of the light"
+                                                                 : "has no component in the direction of the light");
+  }
+  return joined(parts, " and ");
 }
 
 double BiasSettings::operator[](std::string_view name) const {
@@ -215,7 +235,7 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
       continue;
     }
     if (number.term == BiasTerm::normal && !number.takes_any_offset && number.offset != terms.offset) {
-      converted.reason = "the source " + text_of(terms.offset) + "; this one " + text_of(number.offset);
+      converted.reason = "unlike the given offset, it " + offset_difference(number.offset, terms.offset);
       converted.is_other_kind = true;
       continue;
     }

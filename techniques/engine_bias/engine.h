@@ -49,8 +49,10 @@ struct OffsetKind {
   }
 };
 
-/// "moves the receiver along its normal by metres × sin θ".
+/// "moves the receiver along its normal, by a length × sin θ".
 std::string text_of(const OffsetKind& kind);
+/// What `kind` does otherwise than `other`: "moves the caster inwards (not the receiver)".
+std::string offset_difference(const OffsetKind& kind, const OffsetKind& other);
 
 inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
 
@@ -81,7 +83,7 @@ struct BiasNumber {
   double value = 0.0;  ///< the engine's default; no_default: it must be given
   BiasTerm term = BiasTerm::constant;
   PerUnit per_unit = nullptr;
-  std::string_view formula;  ///< of per_unit, for documentation
+  std::string_view formula;  ///< of per_unit, for people: "t; of spot lights: t / d" where lamps have another
   std::string_view code;     ///< how to set it, with {} for the number and {i} for the cascade, from 0
   OffsetKind offset{};       ///< BiasTerm::normal
   double min = -std::numeric_limits<double>::infinity();  ///< to which the engine itself clamps
@@ -92,6 +94,12 @@ struct BiasNumber {
 
   double default_of(LightKind light) const {
     return light == LightKind::point && !std::isnan(value_of_point) ? value_of_point : value;
+  }
+  /// Of a light that has a number.
+  std::string_view formula_for(LightKind light) const {
+    const std::size_t other = formula.find("; of ");
+    if (other == std::string_view::npos) return formula;
+    return light == LightKind::directional ? formula.substr(0, other) : formula.substr(formula.find(": ", other) + 2);
   }
 };
 

@@ -92,14 +92,14 @@ BiasEngine godot() {
           "light_storage.cpp @006f039 (update_light_buffers), renderer_scene_cull.cpp (bias_scale, "
           "shadow_texel_size, pancake_size), scene_forward_clustered.glsl (BIAS_FUNC), light_3d.cpp (steps)",
       .numbers = {{"shadow_bias",
-                   "(t · resolution + pancake) · blur · quality / 100 (point light: m)",
+                   "1",
                    0.1,
                    BiasTerm::constant,
                    [](const Place& p, const Settings& s) -> Result {
                      if (p.light == LightKind::point) return 1.0;
                      return of_sun(p, godot_range(p, s) / 100.0 * s["blur"] * s["quality"]);
                    },
-                   "(t · resolution + pancake) · blur · quality / 100; point light: 1 m",
+                   "(t · resolution + pancake) · blur · quality / 100; of point lights: 1 m",
                    "light.shadow_bias = {}",
                    {},
                    -no_limit,
@@ -139,7 +139,7 @@ BiasEngine three() {
           "DirectionalLightShadow.js, examples/jsm/csm/CSM.js",
       .numbers = {{"bias", "of its depth range", 0.0, BiasTerm::constant,
                    [](const Place& p, const Settings& s) -> Result { return -metres_of_depth(p, s["near"], s["far"]); },
-                   "−(far − near); of spot and point lights −d² (far − near) / (near · far) at depth d",
+                   "−(far − near); of spot and point lights: −d² (far − near) / (near · far)",
                    "light.shadow.bias = {};"},
                   {"normalBias",
                    "m",
@@ -207,7 +207,7 @@ BiasEngine playcanvas() {
                        0.05,
                        BiasTerm::slope,
                        [](const Place& p, const Settings&) { return unless_point(p, 10.0); },
-                       "10 texels × slope; of a point light none",
+                       "10 texels × slope; of point lights: none",
                        "light.shadowBias = {};",
                        {},
                        0.0,
@@ -237,7 +237,7 @@ Result urp_texel(const Place& place, const Settings& settings) {
   const double share = is_sun(place) ? 1.0 : settings["lightRange"] / (2.0 * place.depth);
   return unless_point(place, settings["soft"] * share * place.texel);
 }
-constexpr std::string_view urp_formula = "t · soft; of spot lights t · soft · lightRange / (2 · depth of the receiver)";
+constexpr std::string_view urp_formula = "t · soft; of spot lights: t · soft · lightRange / (2 d)";
 
 std::vector<BiasEngine> unity() {
   return {
@@ -309,7 +309,7 @@ std::vector<BiasEngine> other_engines() {
        .settings = {{"CSMDepthBias", 10.0, "half texels", "r.Shadow.CSMDepthBias"}},
        .note =
            "its slope term, r.Shadow.CSMSlopeScaleDepthBias × Shadow Slope Bias, and r.Shadow.CSMReceiverBias act in "
-           "addition and are in no printed error; virtual shadow maps have other numbers",
+           "addition and are not included here; virtual shadow maps have other numbers",
        .unverified = "all of it is second-hand, its default Shadow Bias 0.5 not verified"},
       {.name = "bevy",
        .title = "Bevy 0.20-dev",
@@ -347,10 +347,11 @@ std::vector<BiasEngine> other_engines() {
                    {"polygonOffsetSlope", "texels × slope", 2.0, BiasTerm::slope,
                     [](const Place& p, const Settings&) { return of_sun(p, 1.0); }, "1",
                     "options.polygonOffsetSlope = {}f;"}},
-       .note =
-           "in addition every caster is drawn with polygon offset units 0.5; a VSM map ignores the first two numbers; "
-           "the texels of a map that is not `stable` are warped; 1.53.4 gives every sun the default normalBias of 1, "
-           "whatever is set: search its bias with --shadow.normal-offset 0.5, which is that offset",
+       .note = "in addition every caster is drawn with polygon offset units 0.5; a VSM map ignores constantBias and "
+               "normalBias; the texels of a map that is not `stable` are warped; version 1.53.4 gives every sun the "
+               "default "
+               "normalBias of 1 (half a texel), whatever is set: for its constantBias run compare with "
+               "--shadow.normal-offset 0.5",
        .unverified = "the newest sources scale normalBias differently along the two axes of the map",
        .note_of_lamps =
            "normalBias and polygonOffsetSlope of spot and point lights have no formula here; a spot light's normalBias "
@@ -364,13 +365,13 @@ std::vector<BiasEngine> other_engines() {
                     [](const Place& p, const Settings&) { return of_sun(p, p.range); }, "R",
                     "shadow.BiasParameters.DepthBias = {}f;"},
                    {"NormalOffsetScale",
-                    "2 m / atlas × (1 − cos θ)",
+                    "2 m / atlas width [texels] × (1 − cos θ)",
                     10.0,
                     BiasTerm::normal,
                     [](const Place& p, const Settings& s) -> Result {
                       return is_sun(p) ? Result(2.0 / s["atlas"]) : std::nullopt;
                     },
-                    "2 m / atlas",
+                    "2 m / atlas width",
                     "shadow.BiasParameters.NormalOffsetScale = {}f;",
                     {OffsetProfile::one_minus_cosine}}},
        .settings = {{"atlas", no_default, "texels", "side of the texture that holds all shadow maps"}}},

@@ -70,6 +70,15 @@ TEST_F(Check, Only_the_rays_of_a_sampled_reference_give_an_interval) {
   EXPECT_NEAR(checks[1]["half_width_95"], 0.01, 1e-12);
   // The bound lies below: (0.1 − 0.07) / (0.1 − 0.06). Noise of the rays can explain all of it.
   EXPECT_NEAR(checks[1]["excess_in_intervals"], 0.75, 1e-9);
+
+  const auto last_cell = [&](const std::string& bound) {
+    const std::string out =
+        run_program({"check", folder_ / "good", "--budget", budget("[[budget]]\nstatistic = " + bound)}).out;
+    return out.substr(out.rfind("  ", out.rfind('\n', out.size() - 2)) + 2);
+  };
+  EXPECT_TRUE(last_cell("\"acne\"\nbound = 0\n").starts_with("—"));
+  EXPECT_TRUE(last_cell("\"ao.mae\"\nbound = 0.07\n").starts_with("yes"));
+  EXPECT_TRUE(last_cell("\"ao.mae\"\nbound = 0.02\n").starts_with("no, the excess is 2 times the noise"));
 }
 
 // Alone, the second run fails as not measured.

@@ -1,5 +1,6 @@
 // `report` on one run: the very page of the run, from what is stored alone.
 #include "tests/app/gl_run.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -52,6 +53,21 @@ TEST_F(ReportAgain, Of_two_cameras_does_not_call_equal_texels_different) {
   }
   ASSERT_EQ(run_program(words(report, {"-o", folder_ / "both"})).exit_code, 0);
   EXPECT_EQ(text_of(folder_ / "both/index.html").find("texels differ in size"), std::string::npos);
+}
+
+TEST_F(ReportAgain, Of_an_exact_reference_names_no_rays) {
+  std::vector<std::string> report = {"report"};
+  for (const char* bias : {"1texels", "2texels"}) {
+    report.push_back(folder_ / bias);
+    const ProgramResult run =
+        run_program({"compare", "contact-box", "-o", report.back(), "--light", "sun", "--shadow.constant-bias", bias,
+                     "--truth.spp", "16", "--size", "320x180", "--no-figures", "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  const std::string out = run_program(words(report, {"-o", folder_ / "both"})).out;
+  EXPECT_EQ(out.substr(0, out.find('\n')).find("rays"), std::string::npos) << out;
+  expect_words(
+      out, {"sun, 1texels: error ", " % (95 % interval, over pixels)\n", " % (95 % interval, over pixels and rays)"});
 }
 
 TEST_F(ReportAgain, Of_two_runs_says_what_was_measured_and_with_which_technique) {

@@ -39,7 +39,7 @@ TEST_F(SweepAnswers, The_error_without_ambient_occlusion_is_that_of_the_cell_of_
   const ProgramResult result =
       run_program({"sweep", "city", "--measure", "ao", "--truth.spp", "64", "--no-figures", "--ao.radius", "4%",
                    "--vary", "view.camera=0,2", "--size", "160x90", "-o", folder_ / "out"});
-  expect_words(result.out, {"in the cell of least error, without any AO the error would be "});
+  expect_words(result.out, {"in the cell of least error, without any AO the mean absolute error would be "});
 }
 
 TEST_F(SweepAnswers, Of_many_groups_the_best_are_printed_and_the_rest_is_counted) {

@@ -1,5 +1,6 @@
 // Tunings over several scenes, whose lights are not of one kind.
 #include "tests/app/gl_run.h"
+#include "tests/support/expect_words.h"
 
 namespace umbrameter {
 namespace {
@@ -41,6 +42,16 @@ TEST_F(TuneCases, A_search_that_ends_by_itself_is_not_called_short) {
                         small));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out.find("60 by default"), std::string::npos) << result.out;
+}
+
+TEST_F(TuneCases, The_interval_covers_rays_where_a_reference_is_sampled) {
+  const auto out = [&](const char* angle) {
+    return run_program({"tune", "contact-box", "--vary", "shadow.filter=nearest,box", "--light.angle", angle,
+                        "--truth.spp", "8", "--size", "320x180", "-o", folder_ / angle, "--no-figures"})
+        .out;
+  };
+  expect_words(out("0"), {"(95 % interval, over pixels), the mean of "});
+  expect_words(out("1"), {"(95 % interval, over pixels and rays"});
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ TEST_F(Tune, Its_range_and_its_front_say_what_the_constraints_cut) {
                    "view.camera=all", "--constraint", "acne<0.1%", "--vary", "shadow.constant-bias=0:8texels"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   expect_words(result.out,
-               {"Of the constant biases that keep the constraints, this is, to three digits, the smallest that",
+               {"constant bias is, of those that keep the constraints, the smallest (to three digits) whose cost is",
                 "constant-bias (only biases that keep the constraints): ", " of the least cost of these, ",
                 " %, but breaks a constraint that the best point keeps; "});
   expect_words(text_of(folder_ / "kept/index.html"),
@@ -179,7 +179,7 @@ TEST_F(Tune, A_held_out_camera_says_of_both_points_which_constraint_they_break) 
       run_program({"tune", "courtyard", "-o", folder_ / "held", "--size", "160x90", "--no-figures", "--camera",
                    "overview", "--constraint", "acne<0.1%", "--vary", "shadow.constant-bias=0:8texels"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const std::size_t held = result.out.find("held out (3 cases, from '");
+  const std::size_t held = result.out.find("held out (3 cases: '");
   ASSERT_NE(held, std::string::npos) << result.out;
   const std::string line = result.out.substr(held, result.out.find('\n', held) - held);
   expect_words(line, {"default ", " % (breaks the constraint: acne ", ") → "});
@@ -366,7 +366,7 @@ TEST_F(Tune, Names_the_bias_that_compare_recommends_where_the_best_point_is_anot
   ASSERT_EQ(compared.find(start), 0u) << compared;
   const std::string bias = compared.substr(start.size(), compared.find(" (") - start.size());
   EXPECT_TRUE(bias.ends_with(" texels")) << bias;
-  EXPECT_NE(compared.find(" texels have at most 3 wrong pixels more than "), std::string::npos) << compared;
+  EXPECT_NE(compared.find(" % (3 wrong pixels) of the least error, "), std::string::npos) << compared;
   EXPECT_NE(text_of(folder_ / "compare/index.html").find("range within 3 wrong pixels of the least error"),
             std::string::npos);
   const std::string tuned = answer({"tune", "courtyard", "--vary", "shadow.constant-bias=0texels:8texels"});

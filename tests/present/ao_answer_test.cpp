@@ -48,9 +48,9 @@ TEST(AoAnswer, An_error_stands_beside_that_of_no_ambient_occlusion) {
   SampledError& error = ao.statistics->error;
   error.mae = {0.1, 0.1, 0.1};
   error.mean_truth = {0.8, 0.8, 0.8};
-  EXPECT_EQ(present_ao({}, ao).lines.front(), "  AO: without any AO the error would be 20.0 %");
+  EXPECT_EQ(present_ao({}, ao).lines.front(), "  AO: without any AO the mean absolute error would be 20.0 %");
   error.mean_truth = {0.8, 0.798, 0.802};
-  EXPECT_EQ(present_ao({}, ao).lines.front(), "  AO: without any AO the error would be 20.00 ± 0.20 %");
+  EXPECT_EQ(present_ao({}, ao).lines.front(), "  AO: without any AO the mean absolute error would be 20.00 ± 0.20 %");
   error.mean_truth = {0.95, 0.95, 0.95};
   EXPECT_EQ(present_ao({}, ao).answers.back().find(
                 "warning: no AO at all would be closer to the reference: its error is 5.00 %"),

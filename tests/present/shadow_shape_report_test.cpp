@@ -64,7 +64,7 @@ TEST(ShadowShapeReport, The_table_of_views_counts_cascades_from_1) {
   for (int view = 0; view < 3; ++view) {
     ViewStatistics& of_view = shape.views.views.emplace_back();
     of_view.view = view;
-    of_view.pixels = view == 1 ? 0 : 10;
+    of_view.pixels = view == 1 ? 0u : 10u;
   }
   Presentation presentation;
   present_shape(presentation, scene, shadow);
