@@ -188,10 +188,8 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
             "edge.";
   figure.caption = fmt::format(
       "How much of {} lies within a distance of a shadow edge. Edges are those of the hard shadow{}; the nearest in "
-      "the "
-      "image counts. {} Where a shadow "
-      "ends at an object's outline or is thinner than a pixel, the image has no edge, and errors there count as far "
-      "from one.",
+      "the image counts. {} Where a shadow ends at an object's outline or is thinner than a pixel, the image has no "
+      "edge, and errors there count as far from one.",
       part, is_soft ? " of the light's centre" : "", reasons);
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share within the distance [%]", false};

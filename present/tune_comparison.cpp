@@ -20,7 +20,7 @@ bool is_the_cost(const TuneGoal& goal, std::size_t column) {
 
 std::string distance_text(const TuneGoal& goal, const ComparedPoint& compared, double best) {
   if (compared.is_best) return "best";
-  if (compared.point.score.cost == best) return "0";
+  if (compared.point.score.cost == best) return "the same cost";
   const std::string text =
       difference_text(goal, compared.point.score.cost - best, compared.difference, "percentage points");
   if (!compared.difference) return text + ", not tested";

@@ -341,12 +341,11 @@ Presentation present_tuning(const TuneSummary& summary) {
   ReportSection& section = shown_part.section;
   section.title = "Tuning";
   section.tables_first = true;
-  section.text =
-      method_text(summary) + "\n\n95 % intervals (± or a range) cover the choice of pixels" +
-      (summary.judgement.covers_rays ? " and the noise of the reference" : "") +
-      ": each of up to 64 "
-      "blocks of the image is left out in turn (jackknife). Differences are paired: both points lose the same block. "
-      "The point to use is checked on the held-out cases, if there are any.";
+  section.text = method_text(summary) + "\n\n95 % intervals (± or a range) cover the choice of pixels" +
+                 (summary.judgement.covers_rays ? " and the noise of the reference" : "") +
+                 ": each of up to 64 blocks of the image is left out in turn (jackknife). Differences are paired: both "
+                 "points lose the same block. "
+                 "The point to use is checked on the held-out cases, if there are any.";
   if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
     const std::vector<std::string> lines = lines_of(compared);
     shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());

@@ -91,12 +91,12 @@ double rounded_up(double number, double step) {
   return step > 0.0 ? multiple_above(rounded, step) : rounded;
 }
 
-}  // namespace
-
 const char* profile_text(OffsetProfile profile) {
   if (profile == OffsetProfile::constant) return "alike at every angle";
   return profile == OffsetProfile::sine ? "× sin θ" : "× (1 − cos θ)";
 }
+
+}  // namespace
 
 std::string text_of(const OffsetKind& kind) {
   std::string text = kind.side == OffsetSide::receiver ? "moves the receiver along its normal"

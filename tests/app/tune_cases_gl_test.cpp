@@ -51,7 +51,7 @@ TEST_F(TuneCases, The_interval_covers_rays_where_a_reference_is_sampled) {
         .out;
   };
   expect_words(out("0"), {"(95 % interval, over pixels), the mean of "});
-  expect_words(out("1"), {"(95 % interval, over pixels and rays"});
+  expect_words(out("1"), {"(95 % interval, over pixels and rays", " %               the same cost "});
 }
 
 }  // namespace

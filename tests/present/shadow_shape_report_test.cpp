@@ -61,7 +61,7 @@ TEST(ShadowShapeReport, The_table_of_views_counts_cascades_from_1) {
   scene.titles = scene.layers = {"sun"};
   ShadowMeasurement shadow;
   ShadowShape& shape = shadow.shape.emplace();
-  for (int view = 0; view < 3; ++view) {
+  for (std::uint64_t view = 0; view < 3; ++view) {
     ViewStatistics& of_view = shape.views.views.emplace_back();
     of_view.view = view;
     of_view.pixels = view == 1 ? 0u : 10u;
