@@ -218,14 +218,15 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     const bool has_intervals = has_cell(part.values, is_interval);
     section.tables.push_back({has_intervals ? "Errors, with 95 % intervals" : "Errors", part.values});
     section.text = has_intervals
-                       ? std::string("95 % intervals cover the choice of pixels") +
-                             (part.is_sampled ? " and the noise of the reference" : "") +
-                             ": blocks of pixels are left out in turn."
+                       ? std::string("95 % intervals say how far a value may change with other pixels of such a view") +
+                             (part.is_sampled ? " and other rays of the reference" : "") +
+                             ": one block of pixels at a time is left out (jackknife)."
                        : "These errors have no 95 % intervals" +
                              (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
     if (part.has_noise) {
       section.text +=
-          " This noise can only raise an absolute error. The intervals of errors and of their differences are "
+          " The noise of the rays can only raise an absolute error. The intervals of errors and of their differences "
+          "are "
           "therefore wider, so that they also contain what a reference without noise would give.";
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {

@@ -114,7 +114,7 @@ std::string_view unit_name(LengthUnit unit) {
     case LengthUnit::map_depth:
       return "of the map's depth";
     case LengthUnit::scene_percent:
-      return "% of the scene's size";
+      return "% of the scene's diagonal";
     case LengthUnit::automatic:
       return "";
   }
@@ -289,7 +289,7 @@ std::string Parameter::limits() const {
                    std::string text = range("a length") + " in m (2cm, 20mm)";
                    if (description.units.texels) text += ", texels (1.5texels)";
                    if (description.units.map_depth) text += ", the map's depth from 0 to 1 (0.0005depth)";
-                   if (description.units.scene_size) text += ", % of the scene's size (2%)";
+                   if (description.units.scene_size) text += ", % of the scene's diagonal (2%)";
                    if (description.units.automatic) text += ", or auto";
                    return text;
                  }},

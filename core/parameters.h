@@ -48,7 +48,7 @@ enum class LengthUnit : int {
   automatic       ///< no number: what reads the field derives it from another one
 };
 
-/// A length as users write it: "0.02", "2cm", "1.5texels", "0.0005depth", "2%" (of the scene's size) or "auto".
+/// A length as users write it: "0.02", "2cm", "1.5texels", "0.0005depth", "2%" (of the scene's diagonal) or "auto".
 struct Length {
   double number = 0.0;
   LengthUnit unit = LengthUnit::metres;

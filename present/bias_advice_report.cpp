@@ -90,9 +90,9 @@ ReportTable advice_table(const BiasAdvice& advice) {
   };
   Table table{{{"constant bias", "", "all other parameters as in this run"},
                {"along the light", on_average("m", is_in_metres),
-                "length along the light; texels are converted at their mean size"},
+                "length along the light; a bias in texels is shown at their mean size"},
                {"in texels", on_average("texels", advice.unit == LengthUnit::texels),
-                "multiple of the texel size at each receiver; metres are converted at its mean"},
+                "multiple of the texel size at each receiver; a bias in metres is shown at the mean texel size"},
                {"in depth", on_average("1", advice.unit == LengthUnit::map_depth),
                 "of the depth that the map stores, from 0 to 1"},
                {"error", "%", "mean absolute error of visibility"}},
@@ -121,6 +121,14 @@ ReportTable advice_table(const BiasAdvice& advice) {
   if (advice.line.little_acne) add_row(formula_names[1], *advice.line.little_acne);
   if (advice.line.acne_free) add_row(formula_names[2], *advice.line.acne_free);
   ReportTable biases{"Recommended bias", std::move(table), {"in texels", "in depth"}};
+  if (is_kept) {
+    biases.remarks.push_back("The bias of this run is kept: its " + good_error_text() +
+                             (advice.used.acne <= little_acne_share
+                                  ? ", and its acne is at most 0.1 %."
+                                  : ", and no bias with such an error has acne of at most 0.1 %."));
+  } else if (!advice.withheld) {
+    biases.remarks.push_back(rule_text());
+  }
   if (advice.texels_differ) biases.remarks.push_back(average_text(advice.unit));
   return biases;
 }

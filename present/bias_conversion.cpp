@@ -270,13 +270,13 @@ std::vector<std::string> code_lines(const ConvertedTarget& target, bool has_rema
       lost.push_back(fmt::format("{} {}: no number everywhere: {}", engine.comment, number.name, reason_of(target, n)));
       continue;
     }
-    const std::string& own = target.conversions.front().numbers[n].code;
-    const std::string code = own.empty() ? std::string(number.code) : own;
+    const ConvertedNumber& first = target.conversions.front().numbers[n];
+    const std::string code = first.code.empty() ? std::string(number.code) : first.code;
     const bool is_each = sets_each_place(target);
     const bool has_equivalent = std::ranges::all_of(
         target.conversions, [&](const BiasConversion& each) { return each.numbers[n].value.has_value(); });
     const std::optional<ChosenValue> chosen = choose_value(target, n);
-    std::string remark = has_equivalent ? "" : "no equivalent";
+    std::string remark = has_equivalent ? first.code_remark : "no equivalent";
     if (chosen && (chosen->value < number.min || chosen->value > number.max)) {
       remark = fmt::format("its limit; the bias would need {}", code_number(chosen->value));
     }

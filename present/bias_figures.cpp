@@ -249,7 +249,8 @@ PlotFigure front_plot(const Drawing& drawing) {
   plot.conditions = drawing.part.conditions;
   plot.caption =
       "A front shows the biases that no other bias beats in both acne and peter-panning. Rings mark the knee: the "
-      "point farthest below the chord between the ends of the front, on linear axes; a front of one bias is a ring. "
+      "point farthest below the chord between the ends of the front, on linear axes. A front with only one bias is "
+      "drawn as one ring. "
       "Shares of the counted pixels.";
   plot.mark = "knee";
   plot.data.columns = plain_columns({"acne", "peter_panning", "line", "knee"});

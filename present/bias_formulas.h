@@ -23,7 +23,7 @@ std::optional<Fitted> printed_term(const BiasFormula& formula, FormulaTerm which
 /// The meaning of the symbols that formula_text() has for any of these formulas; empty if it has none.
 std::string symbols_text(std::span<const CurveFormula* const> formulas);
 
-/// Adds table, text, lines for the console, and figures of what each formula misses at its points.
+/// Adds table, text and figures of what each formula misses at its points.
 void present_formulas(Presentation& presentation, const BiasCurves& curves);
 
 /// "formulas" of the curves in summary.json.

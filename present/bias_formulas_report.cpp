@@ -191,8 +191,8 @@ PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& sett
   plot.stem = is_over_texel ? "bias_fit" : "formula";
   plot.title = is_over_texel ? "Bias against texel size" : "Bias by the formula less the measured bias";
   plot.conditions = setting_text(curves.of_a_formula, setting);
-  plot.caption = is_over_texel ? "Rings: the measured biases, one for each resolution and formula. Lines join what "
-                                 "each formula gives at its rings."
+  plot.caption = is_over_texel ? "Rings: the measured biases, one for each resolution and formula. Lines: the biases "
+                                 "that each formula predicts there."
                                : fmt::format(
                                      "Points: one for each combination of {}. Above 0 the formula's bias is "
                                      "larger.",
@@ -327,7 +327,6 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
                            "the bias",
                            distinct, curves.varies_slope ? " at the slope-scaled bias nearest to 0" : "", counts));
     section.text += "\n\nThere is " + text + ".";
-    presentation.lines.push_back(text);
     return;
   }
   section.tables.push_back({"Formulas of the bias",
@@ -337,12 +336,9 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   const std::vector<const CurveFormula*> all = mapped(curves.formulas, [](const CurveFormula& of) { return &of; });
   const std::string symbols = symbols_text(all);
   section.text += fmt::format(
-      "\n\nEach row of the table 'Formulas of the bias' is a fit to several points, one for each value of {}: {}. "
-      "{}{}Independent "
-      "points differ in texel size, "
-      "Δz, filter radius or depth step; only they count in the standard errors, which come from the residuals and "
-      "from the step of the bias axis. Use a formula only within the range that it was fitted over.",
-      names_of(curves.formula_axes), method, symbols, symbols.empty() ? "" : ". ");
+      "\n\nThe table 'Formulas of the bias' predicts the bias for values of {} that were not swept, within the range "
+      "that each formula was fitted over. Fit: {}. {}{}",
+      names_of(curves.formula_axes), method, symbols, symbols.empty() ? "" : ".");
   const std::vector<std::vector<Value>> settings = settings_of(curves);
   for (std::size_t i = 0; i < std::min(settings.size(), max_formula_plots); ++i) {
     PlotFigure plot = formula_plot(curves, settings[i]);
@@ -352,37 +348,24 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   }
   for (const std::vector<Value>& setting : settings) {
     const std::vector<const CurveFormula*> formulas = formulas_at(curves, setting);
-    const bool is_first = setting == settings.front();
     const std::string at = setting.empty() ? "" : setting_text(curves.of_a_formula, setting) + ", ";
-    const BiasFormula* any = nullptr;
     for (const CurveFormula* of : formulas) {
       if (!of->formula) continue;
-      if (any == nullptr) any = &*of->formula;
       const std::string slope = curves.varies_slope || of->slope != 0.0
                                     ? ", slope-scaled bias " + with_unit(fmt::format("{:g}", of->slope), "texels")
                                     : "";
       const std::string errors = errors_text(*of->formula);
-      const std::string line =
-          fmt::format("formula ({}{}{}): {}{}; {}; {}", at, name_of(*of), slope, formula_text(*of->formula),
+      section.text +=
+          fmt::format("\n\nFormula ({}{}{}): {}{}; {}; {}.", at, name_of(*of), slope, formula_text(*of->formula),
                       errors.empty() ? "" : "; " + errors, residual_text(*of->formula), points_text(*of));
-      section.text += "\n\n" + sentence(line) + ".";
-      if (is_first) presentation.lines.push_back(line);
     }
-    if (any != nullptr) section.text += "\n\n" + sentence(ranges_of(formulas)) + ".";
+    if (const std::string ranges = ranges_of(formulas); !ranges.empty())
+      section.text += "\n\n" + sentence(ranges) + ".";
     for (const std::string& reason : remarks_on(formulas, refused_of))
       section.text += "\n\nLeft out of the " + reason + ".";
-    if (any != nullptr) {
-      const std::string used = symbols_text(formulas);
-      if (is_first) presentation.lines.push_back("  " + used + (used.empty() ? "" : "; ") + ranges_of(formulas));
-    }
     for (const std::string& warning : remarks_on(formulas, warnings_of)) {
       section.text += "\n\nWarning: " + at + warning + ".";
-      if (is_first) presentation.lines.push_back("warning: " + warning);
     }
-  }
-  if (settings.size() > 1) {
-    presentation.lines.push_back(fmt::format("… and formulas for {} more combinations of {}: see the report",
-                                             settings.size() - 1, names_of(curves.of_a_formula)));
   }
 }
 

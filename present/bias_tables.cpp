@@ -70,7 +70,8 @@ Table choices_table(const BiasCurves& curves) {
        std::string("which bias; 'acne at most 0.1 %' and 'no acne' are the smallest such") +
            (curves.varies_slope ? ", at the slope-scaled bias nearest to 0" : "")},
       {"constant bias", "m", "along the light"},
-      {"in texels", "texels", "multiple of the texel size at each receiver; metres are converted at its mean"},
+      {"in texels", "texels",
+       "multiple of the texel size at each receiver; a bias in metres is shown at the mean texel size"},
       {"in depth", "1", "constant bias in the depth that the map stores, from 0 to 1"},
       {"slope bias", "texels", "slope-scaled bias"},
       {"error", "%", "mean absolute error of visibility"},
@@ -208,7 +209,8 @@ std::string explanation(const BiasCurves& curves) {
   if (curves.varies_constant) {
     text +=
         "; a dash means that no bias of the axis qualifies or, at 'recommended', that this view cannot show which "
-        "is right. 'Acne at most 0.1 %' and 'no acne' are the smallest such biases";
+        "is right. " +
+        rule_text() + " 'Acne at most 0.1 %' and 'no acne' are the smallest such biases, whatever their error";
     if (curves.varies_slope) text += ", at the slope-scaled bias nearest to 0";
   }
   text += ". 'Extra error' and 'extra peter-panning' compare each choice with 'least error'.";

@@ -40,6 +40,15 @@ std::string tolerance_text(bool is_by_pixels) {
   return is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : "5 %";
 }
 
+std::string good_error_text() {
+  return fmt::format("error is at most {}, or {}, above the least", tolerance_text(false), tolerance_text(true));
+}
+
+std::string rule_text() {
+  return "'Recommended' is the smallest bias with acne of at most 0.1 % whose " + good_error_text() +
+         "; without one, it is the bias of least error.";
+}
+
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
                        const char* only, const std::vector<double>& axis, const std::string& tolerance) {
   const RoundedRange rounded = rounded_inwards(plateau.first.constant, plateau.last.constant, plateau.least.constant);
@@ -112,8 +121,9 @@ std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
 
 std::string average_text(LengthUnit unit) {
   return fmt::format(
-      "The errors hold for the bias in {}. Where a map's texels differ in size, one such bias is a different number in "
-      "each pixel in the other units, and the table has its average: entered as a bias, that gives another error.",
+      "The errors belong to the bias in {0}. The map's texels differ in size: in the other units the table has "
+      "averages "
+      "over the pixels, and such an average, set as the bias, has another error.",
       unit == LengthUnit::metres   ? "metres"
       : unit == LengthUnit::texels ? "texels"
                                    : "the map's depth");

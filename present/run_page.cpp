@@ -178,7 +178,7 @@ ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment
   }
   for (const SweepAxis& axis : sweep.plan.axes) {
     const Parameter& parameter = require(sweep.parameters, axis.key);
-    // As a command has it: "%", not "% of the scene's size".
+    // As a command has it: "%", not "% of the scene's diagonal".
     cells.units.push_back(
         std::holds_alternative<Length*>(parameter.field) ? to_string(Length{1.0, axis.length_unit}).substr(1) : "");
   }

@@ -173,7 +173,7 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
-  const std::string soft = fmt::format("its soft shadow ({})", extent);
+  const std::string soft = fmt::format("the soft shadow of this light ({})", extent);
   const std::string of_pixel = "the mean over each pixel" + (extent.empty() ? "" : " of " + soft);
   presentation.answers.push_back(fmt::format(
       "{}: error {}{} against {}; too dark {}, too bright {}; {} {} of the counted pixels "
@@ -188,7 +188,7 @@ std::string agreement_text(const ClassAgreement& agreement) {
   std::string text =
       agreement.reclassified == 0
           ? fmt::format("ray tests confirmed the cause of all {} taps of false occlusion.", grouped(agreement.taps))
-          : fmt::format("ray tests of {} taps of false occlusion moved some to acne: {} of the error.",
+          : fmt::format("ray tests of {} taps of false occlusion found some to be acne: {} of this light's error.",
                         grouped(agreement.taps), percent(share_of_wrong(agreement)));
   if (agreement.on_own_layer > 0) {
     text += fmt::format(

@@ -341,8 +341,9 @@ Presentation present_tuning(const TuneSummary& summary) {
   ReportSection& section = shown_part.section;
   section.title = "Tuning";
   section.tables_first = true;
-  section.text = method_text(summary) + "\n\n95 % intervals (± or a range) cover the choice of pixels" +
-                 (summary.judgement.covers_rays ? " and the noise of the reference" : "") +
+  section.text = method_text(summary) +
+                 "\n\n95 % intervals (± or a range) say how far a value may change with other pixels of such views" +
+                 (summary.judgement.covers_rays ? " and other rays of the reference" : "") +
                  ": each of up to 64 blocks of the image is left out in turn (jackknife). Differences are paired: both "
                  "points lose the same block. "
                  "The point to use is checked on the held-out cases, if there are any.";

@@ -131,12 +131,13 @@ Table sensitivity_table(const TuneSummary& summary) {
        {"axis", "", "values that were allowed"},
        {"best", "", "value of least cost"},
        {"within " + tolerance_text(summary) + (summary.goal.constraints.empty() ? "" : ", constraints kept"), "",
-        "range around the best value in which the cost is at most so much higher" +
+        "values around the best one, of a cost at most that much above the least" +
             (summary.result.limit.is_by_pixels
                  ? fmt::format(" ({} of all counted pixels, which is more than 5 %)", chance_pixels)
                  : std::string()) +
-            ". Of a constant bias the range comes from its whole curve, if that was measured; of any other parameter "
-            "from the measured values, of which the nearest beyond the range are named" +
+            ". Of a constant bias they come from the curve of its cost, if that was measured; of other parameters from "
+            "the "
+            "measured values alone, so that the true end lies between the range and 'nearest measured outside'" +
             (summary.goal.constraints.empty() ? "" : ". Values that break a constraint are outside")},
        {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};

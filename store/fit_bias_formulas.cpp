@@ -144,7 +144,9 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
   if (!of.formula && !of.points.empty()) {
     const FormulaSupport support = support_of(of.points);
     of.warnings.push_back(
-        fmt::format("missing: it needs {} independent points and has {}", support.needed, support.independent));
+        fmt::format("not fitted: it needs {} combinations that differ in texel size, Δz, filter radius "
+                    "or depth step, and has {}",
+                    support.needed, support.independent));
   }
   if (!left_out.empty()) {
     of.warnings.push_back(

@@ -6,7 +6,7 @@ class Keywords(TypedDict, total=False):
     """The program's parameters."""
 
     scene_unit: str
-    """unit of lengths: mm, cm, m, km, inch, foot, or metres: 0.3; text. Default: m."""
+    """unit of lengths: mm, cm, m, km, inch, foot; 0.3 is 0.3 m; text. Default: m."""
     scene_blend: Literal['opaque', 'leave-out', 'mask']
     """alpha-blended and transmissive surfaces; mask: holes where alpha is below 0.5; opaque, leave-out or mask. Default: opaque."""
     scene_ground: bool
@@ -192,7 +192,7 @@ class Keywords(TypedDict, total=False):
     shadow_screen_thickness: float
     """screen-space shadows: assumed thickness of every surface [m]; a number from 0 to 1e+06. Default: 0.1."""
     shadow_screen_bias: float
-    """screen-space shadows: share of its depth that a sample must lie behind a surface; a number from 0 to 1. Default: 0.002."""
+    """screen-space shadows: a surface blocks if it lies in front of the ray by more than this share of the depth; a number from 0 to 1. Default: 0.002."""
     shadow_screen_jitter: bool
     """screen-space shadows: shift the samples by interleaved gradient noise; true or false. Default: True."""
     shadow_screen_plane: bool
@@ -200,9 +200,9 @@ class Keywords(TypedDict, total=False):
     ao_samples: int
     """samples per pixel; not of HBAO, GTAO and the bitmask; an integer from 1 to 1024. Default: 64."""
     ao_radius: float | str
-    """radius of the sampled hemisphere [m]; a length from 1e-06 to 1e+12 in m (2cm, 20mm), % of the scene's size (2%). Default: 2%."""
+    """radius of the sampled hemisphere [m]; a length from 1e-06 to 1e+12 in m (2cm, 20mm), % of the scene's diagonal (2%). Default: 2%."""
     ao_bias: float | str
-    """min depth difference between occluder and sample [m]; a length from -1e+12 to 1e+12 in m (2cm, 20mm), % of the scene's size (2%). Default: 0.1%."""
+    """min depth difference between occluder and sample [m]; a length from -1e+12 to 1e+12 in m (2cm, 20mm), % of the scene's diagonal (2%). Default: 0.1%."""
     ao_noise_size: int
     """side of the tile of random rotations [px]; an integer from 1 to 64. Default: 4."""
     ao_normals: Literal['exact', 'rgb8', 'depth']
@@ -210,7 +210,7 @@ class Keywords(TypedDict, total=False):
     ao_technique: Literal['ssao', 'gtao', 'hbao', 'alchemy', 'crytek', 'bitmask', 'ray-marched']
     """AO technique; ssao, gtao, hbao, alchemy, crytek, bitmask or ray-marched. Default: ssao."""
     ao_range_check: bool
-    """fade out occluders much farther away than the radius; true or false. Default: True."""
+    """fade out surfaces whose depth differs from the pixel's by more than the radius; true or false. Default: True."""
     ao_kernel: Literal['learnopengl', 'progressive']
     """points of hemisphere SSAO: random as in Learn OpenGL, or a sequence that more samples extend; learnopengl or progressive. Default: learnopengl."""
     ao_slices: int
@@ -238,7 +238,7 @@ class Keywords(TypedDict, total=False):
     ao_hbao_intensity: float
     """HBAO: factor on the occlusion; a number from 0 to 1e+12. Default: 1.0."""
     ao_hbao_jitter: bool
-    """HBAO: another offset of the steps in each pixel; true or false. Default: True."""
+    """HBAO: shift the steps by an offset that differs from pixel to pixel; true or false. Default: True."""
     ao_alchemy_estimator: Literal['alchemy', 'sao']
     """Alchemy AO: estimator of 2011, or that of Scalable Ambient Obscurance, 2012; alchemy or sao. Default: sao."""
     ao_alchemy_turns: int
@@ -272,17 +272,17 @@ class Keywords(TypedDict, total=False):
     ao_blur: Literal['own', 'none', 'box', 'gaussian', 'bilateral', 'xegtao']
     """blur; own: that of the technique's publication; own, none, box, gaussian, bilateral or xegtao. Default: own."""
     ao_blur_size: int
-    """width of the blur; of xegtao: 3 [px]; an integer from 1 to 32. Default: 4."""
+    """width of the blur; that of xegtao is always 3 [px]; an integer from 1 to 32. Default: 4."""
     ao_blur_passes: int
     """passes of the blur; an integer from 1 to 16. Default: 1."""
     ao_blur_plane_distance: float
-    """bilateral blur: distance from the tangent plane at which a weight falls to 1/e; 0: any [ao.radius]; a number from 0 to 1e+12. Default: 0.05."""
+    """bilateral blur: distance from the tangent plane at which a weight falls to 1/e; 0: it has no effect [ao.radius]; a number from 0 to 1e+12. Default: 0.05."""
     ao_blur_normal_exponent: float
     """bilateral blur: exponent of the cosine between normals; a number from 0 to 1e+12. Default: 8.0."""
     ao_resolution: Literal['full', 'half']
     """resolution of technique and blur; half: every second pixel of both axes; full or half. Default: full."""
     ao_upsampling_plane_distance: float
-    """half resolution: distance from the tangent plane at which a weight falls to 1/e; 0: any [ao.radius]; a number from 0 to 1e+12. Default: 0.05."""
+    """half resolution: distance from the tangent plane at which a weight falls to 1/e; 0: it has no effect [ao.radius]; a number from 0 to 1e+12. Default: 0.05."""
     ao_upsampling_normal_exponent: float
     """half resolution: exponent of the cosine between normals; a number from 0 to 1e+12. Default: 8.0."""
     ao_intensity: float
@@ -364,7 +364,7 @@ class Keywords(TypedDict, total=False):
     truth_ao_weight: Literal['cosine', 'uniform']
     """weight of AO directions; cosine or uniform. Default: cosine."""
     truth_ao_distance: float | str
-    """max distance of occluders; 0: no limit, auto: ao.radius [m]; a length from 0 to 1e+12 in m (2cm, 20mm), % of the scene's size (2%), or auto. Default: auto."""
+    """max distance of occluders; 0: no limit, auto: ao.radius [m]; a length from 0 to 1e+12 in m (2cm, 20mm), % of the scene's diagonal (2%), or auto. Default: auto."""
     truth_sampler: Literal['owen', 'random']
     """Owen-scrambled Sobol points, or independent random points; owen or random. Default: owen."""
     truth_tolerance: float

@@ -12,11 +12,12 @@ Parameters describe(AoBlurParams& params) {
       .choice("blur", params.kind, names,
               {.unit = {}, .meaning = "blur; own: that of the technique's publication", .basic = true})
       .field("blur-size", params.size,
-             {.unit = "px", .meaning = "width of the blur; of xegtao: 3", .min = 1, .max = 32})
+             {.unit = "px", .meaning = "width of the blur; that of xegtao is always 3", .min = 1, .max = 32})
       .field("blur-passes", params.passes, {.unit = "1", .meaning = "passes of the blur", .min = 1, .max = 16})
       .field("blur-plane-distance", params.plane_distance,
              {.unit = "ao.radius",
-              .meaning = "bilateral blur: distance from the tangent plane at which a weight falls to 1/e; 0: any",
+              .meaning =
+                  "bilateral blur: distance from the tangent plane at which a weight falls to 1/e; 0: it has no effect",
               .min = 0.0})
       .field("blur-normal-exponent", params.normal_exponent,
              {.unit = "1", .meaning = "bilateral blur: exponent of the cosine between normals", .min = 0.0})

@@ -13,7 +13,8 @@ Parameters describe(HbaoParams& params) {
               .min = 0.0,
               .max = 90.0})
       .field("hbao-intensity", params.intensity, {.unit = "1", .meaning = "HBAO: factor on the occlusion", .min = 0.0})
-      .field("hbao-jitter", params.jitter, {.unit = {}, .meaning = "HBAO: another offset of the steps in each pixel"})
+      .field("hbao-jitter", params.jitter,
+             {.unit = {}, .meaning = "HBAO: shift the steps by an offset that differs from pixel to pixel"})
       .take();
 }
 

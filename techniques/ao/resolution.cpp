@@ -10,10 +10,12 @@ Parameters describe(AoResolutionParams& params) {
   return Description("ao")
       .choice("resolution", params.kind, names,
               {.unit = {}, .meaning = "resolution of technique and blur; half: every second pixel of both axes"})
-      .field("upsampling-plane-distance", params.plane_distance,
-             {.unit = "ao.radius",
-              .meaning = "half resolution: distance from the tangent plane at which a weight falls to 1/e; 0: any",
-              .min = 0.0})
+      .field(
+          "upsampling-plane-distance", params.plane_distance,
+          {.unit = "ao.radius",
+           .meaning =
+               "half resolution: distance from the tangent plane at which a weight falls to 1/e; 0: it has no effect",
+           .min = 0.0})
       .field("upsampling-normal-exponent", params.normal_exponent,
              {.unit = "1", .meaning = "half resolution: exponent of the cosine between normals", .min = 0.0})
       .take();

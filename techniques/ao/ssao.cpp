@@ -5,7 +5,7 @@ namespace umbrameter {
 Parameters describe(SsaoParams& params) {
   return Description("ao")
       .field("range-check", params.range_check,
-             {.unit = {}, .meaning = "fade out occluders much farther away than the radius"})
+             {.unit = {}, .meaning = "fade out surfaces whose depth differs from the pixel's by more than the radius"})
       .take();
 }
 

@@ -245,7 +245,11 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
       continue;
     }
     converted.value = amounts[term] / *per_unit;
-    if (number.takes_any_offset) converted.code = flags_of(terms.offset);
+    if (number.takes_any_offset) {
+      converted.code = flags_of(terms.offset);
+      if (terms.offset.direction == OffsetDirection::across)
+        converted.code_remark = "across: without its component in the direction of the light";
+    }
     conversion.has_equivalent = true;
   }
   constexpr const char* names[] = {"constant bias", "normal offset", "bias by slope"};

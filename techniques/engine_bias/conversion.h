@@ -45,6 +45,7 @@ struct ConvertedNumber {
   std::optional<double> value;
   std::string reason;
   std::string code{};          ///< in place of the number's own; empty: as it is
+  std::string code_remark{};   ///< explains the code
   bool is_other_kind = false;  ///< there is no value since the number moves something else: set it to 0
 };
 

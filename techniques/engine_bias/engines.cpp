@@ -348,9 +348,8 @@ std::vector<BiasEngine> other_engines() {
                     [](const Place& p, const Settings&) { return of_sun(p, 1.0); }, "1",
                     "options.polygonOffsetSlope = {}f;"}},
        .note = "in addition every caster is drawn with polygon offset units 0.5; a VSM map ignores constantBias and "
-               "normalBias; the texels of a map that is not `stable` are warped; version 1.53.4 gives every sun the "
-               "default "
-               "normalBias of 1 (half a texel), whatever is set: for its constantBias run compare with "
+               "normalBias; the texels of a map that is not `stable` are warped; version 1.53.4 ignores the normalBias "
+               "that is set and gives every sun 1 (half a texel): to find a constantBias for it, run compare with "
                "--shadow.normal-offset 0.5",
        .unverified = "the newest sources scale normalBias differently along the two axes of the map",
        .note_of_lamps =
@@ -365,13 +364,13 @@ std::vector<BiasEngine> other_engines() {
                     [](const Place& p, const Settings&) { return of_sun(p, p.range); }, "R",
                     "shadow.BiasParameters.DepthBias = {}f;"},
                    {"NormalOffsetScale",
-                    "2 m / atlas width [texels] × (1 − cos θ)",
+                    "(2 m ÷ width of the shadow atlas in texels) × (1 − cos θ)",
                     10.0,
                     BiasTerm::normal,
                     [](const Place& p, const Settings& s) -> Result {
                       return is_sun(p) ? Result(2.0 / s["atlas"]) : std::nullopt;
                     },
-                    "2 m / atlas width",
+                    "2 m ÷ width of the shadow atlas in texels",
                     "shadow.BiasParameters.NormalOffsetScale = {}f;",
                     {OffsetProfile::one_minus_cosine}}},
        .settings = {{"atlas", no_default, "texels", "side of the texture that holds all shadow maps"}}},

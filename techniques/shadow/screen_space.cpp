@@ -17,7 +17,8 @@ Parameters describe(ScreenSpaceParams& params) {
              {.unit = "m", .meaning = "screen-space shadows: assumed thickness of every surface", .min = 0, .max = 1e6})
       .field("screen-bias", params.bias,
              {.unit = "1",
-              .meaning = "screen-space shadows: share of its depth that a sample must lie behind a surface",
+              .meaning = "screen-space shadows: a surface blocks if it lies in front of the ray by more than this "
+                         "share of the depth",
               .min = 0,
               .max = 1})
       .field("screen-jitter", params.jitter,

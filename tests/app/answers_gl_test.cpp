@@ -270,7 +270,7 @@ TEST_F(Answers, Quiet_prints_the_answer_only_and_verbose_adds_diagnostics) {
   const ProgramResult weighted =
       run_program({"compare", "room", "--light", "sun", "-o", folder_ / "weighted", "--size", "240x135",
                    "--shadow.filter", "gaussian", "--measure", "visibility", "--no-figures", "--verbose"});
-  expect_words(weighted.err, {" taps of false occlusion moved some to acne: 0."});
+  expect_words(weighted.err, {" taps of false occlusion found some to be acne: 0."});
   // What did not occur is not said, here wrong taps on the receiver's own layer.
   const ProgramResult detached =
       run_program({"compare", "contact-box", "--light", "sun", "-o", folder_ / "detached", "--size", "96x54",

@@ -32,7 +32,7 @@ TEST_F(SweepAnswers, A_warning_of_an_end_has_the_unit_of_the_values_it_names) {
   const ProgramResult result =
       run_program({"sweep", "room", "--measure", "ao", "--truth.spp", "16", "--no-figures", "--vary",
                    "ao.samples=8,16,64", "--vary", "ao.radius=1%,2%,4%", "--size", "96x54", "-o", folder_ / "out"});
-  expect_words(result.out, {"(64) for 3 combinations, one of them radius 1 % of the scene's size; extend it"});
+  expect_words(result.out, {"(64) for 3 combinations, one of them radius 1 % of the scene's diagonal; extend it"});
 }
 
 TEST_F(SweepAnswers, The_error_without_ambient_occlusion_is_that_of_the_cell_of_least_error) {
