@@ -131,8 +131,33 @@ constexpr const char* weighted_meaning =
     "weighted 25 %: the pixels of the map up to this value make up 25 % of its sum, likewise 50 % and 75 % (FLIP's "
     "weighted quartiles); '-' where the map has values below 0. 99 % of pixels: the value that they do not exceed";
 
-constexpr const char* signed_edges =
-    "edge-displacement: above 0 shadows are larger than in REFERENCE; edge-width: above 0 edges are softer";
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> edge_meanings{
+    {{"edge-displacement", "above 0 shadows are larger than in REFERENCE"},
+     {"edge-roughness", "how unevenly TEST's edges run along those of REFERENCE"},
+     {"edge-width", "above 0 edges are softer"},
+     {"edges-found", "share of REFERENCE's edge points that TEST has, too"}}};
+
+// One line for all metrics with the same details.
+std::vector<std::string> details_lines(const std::vector<Measured>& all) {
+  std::vector<std::pair<std::string, std::string>> lines;  // details, metrics
+  for (const Measured& each : all) {
+    std::string details;
+    for (const auto& [name, value] : each.result.details) {
+      if (std::isnan(value)) continue;
+      const bool is_count = value == std::floor(value) && value > 1.0 && value < 1e15;
+      details += fmt::format("{}{} {}", details.empty() ? "" : "; ", name,
+                             is_count ? grouped(static_cast<std::uint64_t>(value)) : fmt::format("{:.4g}", value));
+    }
+    if (details.empty()) continue;
+    const auto found = std::ranges::find(lines, details, &std::pair<std::string, std::string>::first);
+    if (found == lines.end()) {
+      lines.emplace_back(details, each.metric->name);
+    } else {
+      found->second += ", " + std::string(each.metric->name);
+    }
+  }
+  return mapped(lines, [](const auto& line) { return line.second + ": " + line.first; });
+}
 
 constexpr const char* few_edges =
     "note: few edges pass from below 0.1 to above 0.9 in both images, as those of shadow masks do: "
@@ -289,22 +314,15 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
     print_line(console, squared_maps);
   }
   add_line(console, weighted_meaning);
-  if (std::ranges::any_of(all, [](const Measured& each) {
-        return each.metric->name == "edge-displacement" || each.metric->name == "edge-width";
-      })) {
-    add_line(console, signed_edges);
+  std::string edges;
+  for (const auto& [name, meaning] : edge_meanings) {
+    if (std::ranges::none_of(all, [&](const Measured& each) { return each.metric->name == name; })) continue;
+    edges += fmt::format("{}{}: {}", edges.empty() ? "" : "; ", name, meaning);
   }
+  if (!edges.empty()) add_line(console, edges);
   if (misaligned) print_line(console, to_text(*misaligned));
   if (finds_few_edges(all)) add_line(console, few_edges);
-  for (const Measured& each : all) {
-    for (const auto& [name, value] : each.result.details) {
-      if (std::isnan(value)) continue;
-      const bool is_count = value == std::floor(value) && value > 1.0 && value < 1e15;
-      add_line(console,
-               fmt::format("{}, {}: {}", each.metric->name, name,
-                           is_count ? grouped(static_cast<std::uint64_t>(value)) : fmt::format("{:.4g}", value)));
-    }
-  }
+  for (const std::string& text : details_lines(all)) add_line(console, text);
   if (!line.output.empty()) {
     const std::string usual(pair.content == ImageContent::scene ? hdr_flip_metric.name : ldr_flip_metric.name);
     const Metric* metric = select_metrics(diff.map.empty() ? usual : diff.map, color_metrics(), "--map").front();

@@ -207,7 +207,8 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
             ? "All parameters of what is compared are equal; the page of each run lists them under 'Settings'."
             : "All others are equal; the page of each run lists them under 'Settings'.";
     if (is_bias_another_length(runs)) {
-      section.text += " The texels differ in size, so that one bias in texels can be another length in another run.";
+      section.text +=
+          " Texel sizes differ between the runs, so that the same bias in texels can be a different length.";
     }
     if (!table.rows.empty()) section.tables.push_back({"Parameters that differ", table});
     report.sections.push_back(std::move(section));
@@ -217,17 +218,18 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     section.title = part.title;
     const bool has_intervals = has_cell(part.values, is_interval);
     section.tables.push_back({has_intervals ? "Errors, with 95 % intervals" : "Errors", part.values});
-    section.text = has_intervals
-                       ? std::string("95 % intervals say how far a value may change with other pixels of such a view") +
-                             (part.is_sampled ? " and other rays of the reference" : "") +
-                             ": one block of pixels at a time is left out (jackknife)."
-                       : "These errors have no 95 % intervals" +
-                             (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
+    section.text =
+        has_intervals
+            ? std::string("95 % intervals say how much a value depends on which parts of the scene the image shows") +
+                  (part.is_sampled ? " and on the rays of the reference" : "") +
+                  ": one block of pixels at a time is left out (jackknife)."
+            : "These errors have no 95 % intervals" +
+                  (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
     if (part.has_noise) {
       section.text +=
-          " The noise of the rays can only raise an absolute error. The intervals of errors and of their differences "
-          "are "
-          "therefore wider, so that they also contain what a reference without noise would give.";
+          " The noise of the rays can only raise an absolute error. The ± of errors and of their differences makes "
+          "room for "
+          "this on both sides, so that the interval also contains what a reference without noise would give.";
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=

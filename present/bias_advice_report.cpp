@@ -115,9 +115,10 @@ ReportTable advice_table(const BiasAdvice& advice) {
   add_row(formula_names[0], advice.plateau.least);
   // Beyond a worse stretch of biases there may be others that are as good.
   const std::string good =
-      fmt::format("end of the range within {} of the least error", tolerance_text(advice.plateau.is_by_pixels));
-  add_row(advice.plateau.open_below ? "smallest bias tested" : "lower " + good, advice.plateau.first);
-  add_row(advice.plateau.open_above ? "largest bias tested" : "upper " + good, advice.plateau.last);
+      fmt::format(" with at most {} the least error",
+                  advice.plateau.is_by_pixels ? tolerance_text(true) + " above" : times_text(1.0 + plateau_tolerance));
+  add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest" + good, advice.plateau.first);
+  add_row(advice.plateau.open_above ? "largest bias tested" : "largest" + good, advice.plateau.last);
   if (advice.line.little_acne) add_row(formula_names[1], *advice.line.little_acne);
   if (advice.line.acne_free) add_row(formula_names[2], *advice.line.acne_free);
   ReportTable biases{"Recommended bias", std::move(table), {"in texels", "in depth"}};

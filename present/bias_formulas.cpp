@@ -90,8 +90,8 @@ std::string symbols_text(std::span<const CurveFormula* const> formulas) {
   };
   add(has(FormulaTerm::slope) || has(FormulaTerm::slope_radius),
       "Δz: how much a surface's depth changes from one texel to the next, texel size · tan θ · (|cos ψ| + |sin ψ|), "
-      "with θ between light and normal and ψ the direction of the slope on the map; for each combination of the "
-      "swept values, what 90 % of its counted pixels do not exceed");
+      "with θ between light and normal and ψ the direction of the slope on the map; each point of the fit has the "
+      "90th percentile of Δz over its counted pixels");
   add(has(FormulaTerm::slope_radius), "r: reach of the filter in texels");
   add(has(FormulaTerm::depth_step), "δ: step of the stored depth");
   return text;

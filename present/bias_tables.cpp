@@ -208,8 +208,8 @@ std::string explanation(const BiasCurves& curves) {
       "normalised depth";
   if (curves.varies_constant) {
     text +=
-        "; a dash means that no bias of the axis qualifies or, at 'recommended', that this view cannot show which "
-        "is right. " +
+        "; a dash means that no bias of the axis qualifies or, at 'recommended', that none is recommended: a remark "
+        "below the table says why. " +
         rule_text() + " 'Acne at most 0.1 %' and 'no acne' are the smallest such biases, whatever their error";
     if (curves.varies_slope) text += ", at the slope-scaled bias nearest to 0";
   }

@@ -40,13 +40,16 @@ std::string tolerance_text(bool is_by_pixels) {
   return is_by_pixels ? fmt::format("{} wrong pixels", chance_pixels) : "5 %";
 }
 
+std::string times_text(double factor) { return fmt::format("{:.3g} times", factor); }
+
 std::string good_error_text() {
-  return fmt::format("error is at most {}, or {}, above the least", tolerance_text(false), tolerance_text(true));
+  return fmt::format("error is at most {} the least (or {} above it, where that is more)",
+                     times_text(1.0 + plateau_tolerance), tolerance_text(true));
 }
 
 std::string rule_text() {
   return "'Recommended' is the smallest bias with acne of at most 0.1 % whose " + good_error_text() +
-         "; without one, it is the bias of least error.";
+         "; if no bias has both, it is the bias of least error.";
 }
 
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
@@ -62,15 +65,17 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
   const bool is_only = first == last;
   const bool has_none = plateau.least.mae == 0.0 && tolerance.empty();
   const bool counts_pixels = plateau.is_by_pixels && tolerance.empty();
+  const bool is_factor = plateau.least.mae > 0.0 && tolerance.empty();
   const std::string by_pixels = tolerance_text(true);
-  const std::string good_by =
-      counts_pixels ? fmt::format("{:.2g} % ({})", 100.0 * (plateau.limit / plateau.least.mae - 1.0), by_pixels)
-                    : (tolerance.empty() ? tolerance_text(false) : tolerance);
+  const std::string of_least = what + (least.empty() ? "" : ", " + least);
   const std::string good =
-      !has_none       ? fmt::format("within {} of the least {}{}", good_by, what, least.empty() ? "" : ", " + least)
-      : counts_pixels ? "at most " + by_pixels
-                      : fmt::format("no {}", what);
-  const char* verb = has_none ? (is_only ? "has" : "have") : is_only ? "is" : "are";
+      has_none    ? (counts_pixels ? "at most " + by_pixels : "no " + what)
+      : is_factor ? fmt::format("at most {} the least {}{}",
+                                times_text(counts_pixels ? plateau.limit / plateau.least.mae : 1.0 + plateau_tolerance),
+                                of_least, counts_pixels ? fmt::format(" ({} more)", by_pixels) : "")
+                  : fmt::format("at most {} above the least {}", tolerance.empty() ? tolerance_text(false) : tolerance,
+                                of_least);
+  const char* verb = is_factor || has_none ? (is_only ? "has" : "have") : is_only ? "is" : "are";
   if (is_only) return fmt::format("{} {} {}", only, verb, good);
   return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);
 }

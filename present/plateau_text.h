@@ -27,13 +27,16 @@ RoundedRange rounded_inwards(double first, double last, double inside);
 /// How much more than the least error is as good: "5 %", or "3 wrong pixels".
 std::string tolerance_text(bool is_by_pixels);
 
-/// "error is at most 5 %, or 3 wrong pixels, above the least": of a good bias.
+/// "1.05 times".
+std::string times_text(double factor);
+
+/// "error is at most 1.05 times the least (or 3 wrong pixels above it, where that is more)": of a good bias.
 std::string good_error_text();
 
 /// What 'recommended' means, for tables.
 std::string rule_text();
 
-/// "2.2 to 18 texels are within 5 % of the least error, 0.271 %". The biases are in `unit`; `what` is "error" or
+/// "2.2 to 18 texels have at most 1.05 times the least error, 0.271 %". The biases are in `unit`; `what` is "error" or
 /// "cost", and `least` its least value as text, which may be empty. `only` begins the text of a single bias. Values of
 /// an axis that is given are printed as it has them. `tolerance` takes the place of tolerance_text().
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,

@@ -188,8 +188,10 @@ std::string agreement_text(const ClassAgreement& agreement) {
   std::string text =
       agreement.reclassified == 0
           ? fmt::format("ray tests confirmed the cause of all {} taps of false occlusion.", grouped(agreement.taps))
-          : fmt::format("ray tests of {} taps of false occlusion found some to be acne: {} of this light's error.",
-                        grouped(agreement.taps), percent(share_of_wrong(agreement)));
+          : fmt::format(
+                "of {} taps first classed as false occlusion, ray tests found some to be acne, {} of this light's "
+                "error; they count as acne.",
+                grouped(agreement.taps), percent(share_of_wrong(agreement)));
   if (agreement.on_own_layer > 0) {
     text += fmt::format(
         " By ray tests {} of the peter-panning is light leak: where these taps read the map, it holds the receiver's "
@@ -266,12 +268,13 @@ std::string stored_depths_text(const ShadowMeasurement& shadow) {
   const std::string first = metres_text(depths.step_at_nearest);
   const std::string last = metres_text(depths.step_at_farthest);
   return fmt::format(
-      "the map holds depths from {} to {} in steps of {} ({}, {}); one unit of polygon offset is {:.3g} of its depth "
-      "range{}.",
+      "the surfaces in the map have depths of {} to {}, stored in steps of {} ({}, {}); one unit of polygon offset is "
+      "{:.3g} of the map's depth range{}.",
       metres_text(depths.range->nearest), metres_text(depths.range->farthest),
       first == last ? first : first + " to " + last, value_text(shadow.experiment, "shadow.depth-format"),
       value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit,
-      stores_floats(shadow.experiment.shadow.map_depth.format) ? " at stored depths from ½ on, and less below" : "");
+      stores_floats(shadow.experiment.shadow.map_depth.format) ? " where the stored depth is ½ or more, and less below"
+                                                               : "");
 }
 
 // With all digits where fewer would be those of the recommended bias, which is another.

@@ -111,8 +111,8 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
        {"contacts", "px",
         "pixels where, in the image, the reference shadow begins beside the caster or a pixel away from it"},
        {"without shadow", "px",
-        "contacts where the technique has no shadow along the whole shadow of the reference: the gap is as long as "
-        "that shadow"},
+        "contacts where the technique lacks the shadow of the reference over its whole length; the gap counts as that "
+        "length"},
        {"median contact gap", "m", gap + "median"},
        {"median contact gap", "texels", gap + "median"},
        {"median contact gap", "px", gap + "median"},
@@ -208,22 +208,20 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   return figure;
 }
 
-Table view_table(const std::vector<ViewStatistics>& views) {
+Table view_table(const MapLayout& layout, const std::vector<ViewStatistics>& views) {
   Table table{columns_of(ViewStatistics{}), {}};
-  const std::size_t number = column_index(table, "view");
-  // As view_name() counts cascades.
-  table.columns[number].meaning =
-      "number of the cascade, of the cube's face (+x, −x, +y, −y, +z, −z) or of the paraboloid (front, back)";
+  const std::size_t name = column_index(table, "view");
+  table.columns[name].meaning = "cascade, face of the cube, or paraboloid";
   for (const ViewStatistics& view : views) {
     if (view.pixels == 0) continue;
     table.rows.push_back(row_of(view));
-    table.rows.back()[number] = static_cast<std::int64_t>(view.view) + 1;
+    table.rows.back()[name] = view_name(layout, view.view);
   }
   return in_percent(table);
 }
 
-void add_view_tables(ReportSection& section, const MapViews& views) {
-  if (!views.views.empty()) section.tables.push_back({"Error by view of the map", view_table(views.views)});
+void add_view_tables(ReportSection& section, const MapLayout& layout, const MapViews& views) {
+  if (!views.views.empty()) section.tables.push_back({"Error by view of the map", view_table(layout, views.views)});
   if (views.seams) section.tables.push_back(statistics_table("Seams between the views", *views.seams));
   if (views.shimmer) section.tables.push_back(statistics_table("Shimmer of the fit", *views.shimmer));
 }
@@ -245,7 +243,7 @@ void present_shape(Presentation& presentation, const SceneFacts& scene, const Sh
     section.tables.push_back(caster_report(scene, shape.casters));
   }
   if (shape.shimmer) section.tables.push_back({"Shimmer", shimmer_table(*shape.shimmer)});
-  add_view_tables(section, shape.views);
+  add_view_tables(section, shadow.layout, shape.views);
   if (shape.error.all.texels) {
     add_figure(presentation, distance_figure(scene.layer(shadow.light), scene.title(shadow.light), shape.error,
                                              !std::holds_alternative<std::monostate>(shadow.emitter)));

@@ -137,9 +137,10 @@ std::string bias_range_text(const TuneSummary& summary) {
 
 std::string method_text(const TuneSummary& summary) {
   const TuneResult& result = summary.result;
-  return fmt::format("Search: {}; {} of {}{}; then each axis from the best point.", result.method,
-                     count_text(result.evaluations, "evaluation"), count_text(summary.cases.size(), "case"),
-                     result.stopped_by.empty() ? "" : ", stopped after " + result.stopped_by);
+  return fmt::format("Search: {}; {}, each of {}{}. Then each parameter is varied alone, from the best point.",
+                     result.method, count_text(result.evaluations, "evaluation"),
+                     count_text(summary.cases.size(), "case"),
+                     result.stopped_by.empty() ? "" : "; stopped after " + result.stopped_by);
 }
 
 bool have_equal_scores(const TunePoint& a, const TunePoint& b) {
@@ -200,11 +201,13 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const BiasCell& used = result.plateau->recommended;
     answers.push_back(fmt::format(
         "use {}: {} {}{}, acne {}{}. {} constant bias is{} the smallest (to three digits) whose cost is at most {} "
-        "above {} and whose acne is at most 0.1 %{}; a larger bias can detach shadows that these views do not show",
+        "{} and whose acne is at most 0.1 %{}; a larger bias can detach shadows that these views do not show",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
         has_cases ? "at most " : "", percent(used.acne),
         summary.axes.size() > 1 ? "With the other values as they are, this" : "This",
-        is_free ? "" : ", of those that keep the constraints,", tolerance_text(summary),
+        is_free ? "" : ", of those that keep the constraints,",
+        result.limit.is_by_pixels || !(result.best.score.cost > 0.0) ? tolerance_text(summary) + " above"
+                                                                     : times_text(1.0 + plateau_tolerance),
         is_free ? "the least" : "their least", has_cases ? " in every case of the search" : ""));
     best = std::string("best point, of least cost") + where_kept;
   }
@@ -341,12 +344,13 @@ Presentation present_tuning(const TuneSummary& summary) {
   ReportSection& section = shown_part.section;
   section.title = "Tuning";
   section.tables_first = true;
-  section.text = method_text(summary) +
-                 "\n\n95 % intervals (± or a range) say how far a value may change with other pixels of such views" +
-                 (summary.judgement.covers_rays ? " and other rays of the reference" : "") +
-                 ": each of up to 64 blocks of the image is left out in turn (jackknife). Differences are paired: both "
-                 "points lose the same block. "
-                 "The point to use is checked on the held-out cases, if there are any.";
+  section.text =
+      method_text(summary) +
+      "\n\n95 % intervals (± or a range) say how much a value depends on which parts of the scene an image shows" +
+      (summary.judgement.covers_rays ? " and on the rays of the reference" : "") +
+      ": each of up to 64 blocks of the image is left out in turn (jackknife). Differences are paired: both "
+      "points lose the same block. "
+      "The point to use is checked on the held-out cases, if there are any.";
   if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
     const std::vector<std::string> lines = lines_of(compared);
     shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());

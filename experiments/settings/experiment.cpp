@@ -142,8 +142,10 @@ Table settings_table(Experiment experiment) {
     }
     const Parameter& usual = require(of_defaults, parameter.key);
     const bool has_own_units = names_its_unit(parameter) && names_its_unit(usual);
+    std::string meaning = parameter.description.meaning;
+    if (parameter.description.units.scene_size) meaning += "; " + std::string(unit_name(LengthUnit::scene_percent));
     table.rows.push_back({parameter.key, value, to_string(usual.value()),
-                          has_own_units ? "" : parameter.description.unit, parameter.description.meaning});
+                          has_own_units ? "" : parameter.description.unit, std::move(meaning)});
   }
   std::stable_partition(table.rows.begin(), table.rows.end(),
                         [](const std::vector<Value>& row) { return row[1] != row[2]; });

@@ -303,14 +303,15 @@ std::vector<BiasEngine> other_engines() {
        .title = "Unreal Engine, cascaded shadow maps",
        .source = "copies of ShadowRendering.cpp (FProjectedShadowInfo::UpdateShaderDepthBias) and of its console "
                  "variables",
-       .numbers = {{"ShadowBias", "1", 0.5, BiasTerm::constant,
+       .numbers = {{"ShadowBias", "half texels × CSMDepthBias", 0.5, BiasTerm::constant,
                     [](const Place& p, const Settings& s) { return of_sun(p, 0.5 * s["CSMDepthBias"] * p.texel); },
                     "CSMDepthBias · t / 2", "LightComponent->SetShadowBias({}f);"}},
        .settings = {{"CSMDepthBias", 10.0, "half texels", "r.Shadow.CSMDepthBias"}},
        .note =
            "its slope term, r.Shadow.CSMSlopeScaleDepthBias × Shadow Slope Bias, and r.Shadow.CSMReceiverBias act in "
            "addition and are not included here; virtual shadow maps have other numbers",
-       .unverified = "all of it is second-hand, its default Shadow Bias 0.5 not verified"},
+       .unverified =
+           "the formula and the default Shadow Bias of 0.5 are from copies of its source, not from Unreal's own"},
       {.name = "bevy",
        .title = "Bevy 0.20-dev",
        .source = "shadows.wesl @3f1f861, light.rs (factor √2), directional_light.rs",
@@ -351,7 +352,8 @@ std::vector<BiasEngine> other_engines() {
                "normalBias; the texels of a map that is not `stable` are warped; version 1.53.4 ignores the normalBias "
                "that is set and gives every sun 1 (half a texel): to find a constantBias for it, run compare with "
                "--shadow.normal-offset 0.5",
-       .unverified = "the newest sources scale normalBias differently along the two axes of the map",
+       .unverified =
+           "the newest sources scale normalBias differently along the two axes of the map; these numbers do not",
        .note_of_lamps =
            "normalBias and polygonOffsetSlope of spot and point lights have no formula here; a spot light's normalBias "
            "of 1 acts as 1.2 to 1.3 texels in 1.53.4",

@@ -101,7 +101,7 @@ TEST_F(Tune, Says_that_a_range_and_the_best_value_reach_the_end_of_the_axis) {
       run_program(arguments("end", {"--light", "sun", "--vary", "shadow.constant-bias=0:0.002"}));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("the best value 2 mm is the upper end of the axis"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("within 5 % of the least cost"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("at most 1.05 times the least cost"), std::string::npos) << result.out;
   // In the answer and in the table.
   EXPECT_NE(result.out.find("; the range reaches the upper end of the axis"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("2 mm (upper end of the axis)"), std::string::npos) << result.out;

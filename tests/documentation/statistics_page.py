@@ -6,7 +6,7 @@ Generated from the program's descriptions by `scripts/docs --references`; do not
 `sweep.csv` and `results.sqlite`, the keys of [`summary.json`](summary.md), and the names that `check`, `--fail-if` and
 `tune` take. A statistic with an interval has two more columns, `name_lo` and `name_hi`: the ends of its 95 % interval or, where
 its meaning says so, [bounds](reference.md#bounds-of-absolute-errors). They cover the noise of the reference's rays for these
-pixels; the intervals of [`report`](figures.md#several-runs-side-by-side) also say how far a value may change with other pixels of such a view.
+pixels; the intervals of [`report`](figures.md#several-runs-side-by-side) also say how much a value depends on which parts of the scene an image shows.
 Shares and errors have the unit 1: 0.01 is 1 %.
 """
 

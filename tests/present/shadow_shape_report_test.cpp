@@ -60,6 +60,7 @@ TEST(ShadowShapeReport, The_table_of_views_counts_cascades_from_1) {
   SceneFacts scene;
   scene.titles = scene.layers = {"sun"};
   ShadowMeasurement shadow;
+  shadow.layout.views.resize(3);
   ShadowShape& shape = shadow.shape.emplace();
   for (std::uint64_t view = 0; view < 3; ++view) {
     ViewStatistics& of_view = shape.views.views.emplace_back();
@@ -71,9 +72,9 @@ TEST(ShadowShapeReport, The_table_of_views_counts_cascades_from_1) {
   const auto report = std::ranges::find(presentation.section.tables, "Error by view of the map", &ReportTable::title);
   ASSERT_NE(report, presentation.section.tables.end());
   ASSERT_EQ(report->table.rows.size(), 2u) << "a view without pixels has no row";
-  const std::size_t number = column_index(report->table, "view");
-  EXPECT_EQ(to_string(report->table.rows[0][number]), "1");
-  EXPECT_EQ(to_string(report->table.rows[1][number]), "3");
+  const std::size_t name = column_index(report->table, "view");
+  EXPECT_EQ(to_string(report->table.rows[0][name]), "cascade 1");
+  EXPECT_EQ(to_string(report->table.rows[1][name]), "cascade 3");
 }
 
 }  // namespace
