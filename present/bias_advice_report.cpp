@@ -114,9 +114,9 @@ ReportTable advice_table(const BiasAdvice& advice) {
   if (!advice.withheld && !is_kept) add_row("recommended", advice.plateau.recommended);
   add_row(formula_names[0], advice.plateau.least);
   // Beyond a worse stretch of biases there may be others that are as good.
-  const std::string good =
-      fmt::format(" with at most {} the least error",
-                  advice.plateau.is_by_pixels ? tolerance_text(true) + " above" : times_text(1.0 + plateau_tolerance));
+  const std::string good = fmt::format(" with at most {} the least error", advice.plateau.is_by_pixels
+                                                                               ? tolerance_text(true) + " more than"
+                                                                               : times_text(1.0 + plateau_tolerance));
   add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest" + good, advice.plateau.first);
   add_row(advice.plateau.open_above ? "largest bias tested" : "largest" + good, advice.plateau.last);
   if (advice.line.little_acne) add_row(formula_names[1], *advice.line.little_acne);

@@ -337,8 +337,10 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   const std::string symbols = symbols_text(all);
   section.text += fmt::format(
       "\n\nThe table 'Formulas of the bias' predicts the bias for values of {} that were not swept, within the range "
-      "that each formula was fitted over. It is fitted to one point for each combination of these values: {}. {}{}",
-      names_of(curves.formula_axes), method, symbols, symbols.empty() ? "" : ".");
+      "that each formula was fitted over. Each is fitted to one point for each {}: {}. {}{}",
+      names_of(curves.formula_axes),
+      curves.formula_axes.size() == 1 ? "swept value" : "combination of the swept values", method, symbols,
+      symbols.empty() ? "" : ".");
   const std::vector<std::vector<Value>> settings = settings_of(curves);
   for (std::size_t i = 0; i < std::min(settings.size(), max_formula_plots); ++i) {
     PlotFigure plot = formula_plot(curves, settings[i]);

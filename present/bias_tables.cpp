@@ -210,7 +210,9 @@ std::string explanation(const BiasCurves& curves) {
     text +=
         "; a dash means that no bias of the axis qualifies or, at 'recommended', that none is recommended: a remark "
         "below the table says why. " +
-        rule_text() + " 'Acne at most 0.1 %' and 'no acne' are the smallest such biases, whatever their error";
+        rule_text() +
+        " 'Acne at most 0.1 %' and 'no acne' are the smallest such biases, whatever their error; 'least error without "
+        "acne' is the best of those without any";
     if (curves.varies_slope) text += ", at the slope-scaled bias nearest to 0";
   }
   text += ". 'Extra error' and 'extra peter-panning' compare each choice with 'least error'.";

@@ -43,7 +43,7 @@ std::string tolerance_text(bool is_by_pixels) {
 std::string times_text(double factor) { return fmt::format("{:.3g} times", factor); }
 
 std::string good_error_text() {
-  return fmt::format("error is at most {} the least (or {} above it, where that is more)",
+  return fmt::format("error is at most {} the least (or {} more than the least, where that is larger)",
                      times_text(1.0 + plateau_tolerance), tolerance_text(true));
 }
 
@@ -69,12 +69,12 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
   const std::string by_pixels = tolerance_text(true);
   const std::string of_least = what + (least.empty() ? "" : ", " + least);
   const std::string good =
-      has_none    ? (counts_pixels ? "at most " + by_pixels : "no " + what)
-      : is_factor ? fmt::format("at most {} the least {}{}",
-                                times_text(counts_pixels ? plateau.limit / plateau.least.mae : 1.0 + plateau_tolerance),
-                                of_least, counts_pixels ? fmt::format(" ({} more)", by_pixels) : "")
-                  : fmt::format("at most {} above the least {}", tolerance.empty() ? tolerance_text(false) : tolerance,
-                                of_least);
+      has_none ? (counts_pixels ? "at most " + by_pixels : "no " + what)
+      : is_factor
+          ? fmt::format("at most {} the least {}",
+                        counts_pixels ? by_pixels + " more than" : times_text(1.0 + plateau_tolerance), of_least)
+          : fmt::format("at most {} above the least {}", tolerance.empty() ? tolerance_text(false) : tolerance,
+                        of_least);
   const char* verb = is_factor || has_none ? (is_only ? "has" : "have") : is_only ? "is" : "are";
   if (is_only) return fmt::format("{} {} {}", only, verb, good);
   return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);

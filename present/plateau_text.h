@@ -30,7 +30,8 @@ std::string tolerance_text(bool is_by_pixels);
 /// "1.05 times".
 std::string times_text(double factor);
 
-/// "error is at most 1.05 times the least (or 3 wrong pixels above it, where that is more)": of a good bias.
+/// "error is at most 1.05 times the least (or 3 wrong pixels more than the least, where that is larger)": of a good
+/// bias.
 std::string good_error_text();
 
 /// What 'recommended' means, for tables.

@@ -185,6 +185,14 @@ ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment
   return cells;
 }
 
+// A tuning measures each case with its own camera and light, whatever the experiment says.
+void name_settings_of_cases(Table& settings) {
+  for (std::vector<Value>& row : settings.rows) {
+    if (row[0] == Value(std::string("view.camera")) || row[0] == Value(std::string("view.light")))
+      row[1] = std::string("that of each case");
+  }
+}
+
 }  // namespace
 
 std::vector<Presentation> measured_parts(const SceneFacts& scene, const Measurement& measurement) {
@@ -302,6 +310,7 @@ void write_run_page(const std::filesystem::path& folder, const RunResults& resul
   // An experiment file may have axes that this run does not use.
   if (!results.sweep && !results.tune) experiment.axes.clear();
   report.settings = settings_table(std::move(experiment));
+  if (results.tune) name_settings_of_cases(report.settings);
   if (rows != nullptr) report.cells = report_cells(*rows, results.experiment, results.sweep->cells);
   ViewerPack packed;
   const bool is_packed = !page.viewer.sets.empty();

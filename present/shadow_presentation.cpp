@@ -184,14 +184,12 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {
-  // Taps of a filter have weights, so that only shares of the error can be named beside their number.
+  // Taps of a filter have weights, so that only shares can be named beside their number.
   std::string text =
       agreement.reclassified == 0
           ? fmt::format("ray tests confirmed the cause of all {} taps of false occlusion.", grouped(agreement.taps))
-          : fmt::format(
-                "of {} taps first classed as false occlusion, ray tests found some to be acne, {} of this light's "
-                "error; they count as acne.",
-                grouped(agreement.taps), percent(share_of_wrong(agreement)));
+          : fmt::format("ray tests moved {} of the {} taps first classed as false occlusion to acne.",
+                        percent(share_of_unresolved(agreement)), grouped(agreement.taps));
   if (agreement.on_own_layer > 0) {
     text += fmt::format(
         " By ray tests {} of the peter-panning is light leak: where these taps read the map, it holds the receiver's "

@@ -201,9 +201,10 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const BiasCell& used = result.plateau->recommended;
     answers.push_back(fmt::format(
         "use {}: {} {}{}, acne {}{}. {} constant bias is{} the smallest (to three digits) whose cost is at most {} "
-        "{} and whose acne is at most 0.1 %{}; a larger bias can detach shadows that these views do not show",
+        "{} and whose acne is at most 0.1 %{}. The smallest, because a larger bias may detach shadows where these "
+        "views do not look",
         point_text(summary.axes, result.recommended->values), cost_words(goal), cost_text(goal, used.mae), of_cases,
-        has_cases ? "at most " : "", percent(used.acne),
+        percent(used.acne), has_cases ? " in the case with the most" : "",
         summary.axes.size() > 1 ? "With the other values as they are, this" : "This",
         is_free ? "" : ", of those that keep the constraints,",
         result.limit.is_by_pixels || !(result.best.score.cost > 0.0) ? tolerance_text(summary) + " above"

@@ -135,9 +135,9 @@ Table sensitivity_table(const TuneSummary& summary) {
             (summary.result.limit.is_by_pixels
                  ? fmt::format(" ({} of all counted pixels, which is more than 5 %)", chance_pixels)
                  : std::string()) +
-            ". Of a constant bias they come from the curve of its cost, if that was measured; of other parameters from "
-            "the "
-            "measured values alone, so that the true end lies between the range and 'nearest measured outside'" +
+            ". Of a constant bias they are exact where the cost at every bias is known. Of other parameters a few "
+            "values "
+            "were measured; the true end lies between the range and 'nearest measured outside'" +
             (summary.goal.constraints.empty() ? "" : ". Values that break a constraint are outside")},
        {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};

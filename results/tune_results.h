@@ -51,7 +51,7 @@ struct TuneResult {
   PlateauLimit limit{};  ///< costs up to it are as good as that of the best point
   std::vector<AxisScan> scans;
   std::vector<WordPoint> of_words;  ///< for each axis of words and each of its values that was evaluated
-  std::string method;               ///< "all 12 combinations", "DIRECT-L, then subplex"
+  std::string method;               ///< "all 12 combinations", "DIRECT-L over the whole space, then subplex ..."
   std::size_t evaluations = 0;      ///< points of the search, without those that a scan found to be better
   /// Of a search in combinations of words, the default: fewer may miss the best point with a word. 0 without words.
   std::size_t usual_evaluations = 0;

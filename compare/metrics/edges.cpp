@@ -27,8 +27,8 @@ MetricResult measure_points(const MetricInput& input, const std::vector<EdgePoin
   MetricResult result = mean_of_map(std::move(map), [](std::size_t) { return true; });
   result.details = {{"edge points", static_cast<double>(points.size())},
                     {edges_in_both + of_edges, found / static_cast<double>(points.size())},
-                    {"mean width of these transitions [px]", width / found},
-                    {"mean width in the reference [px]", reference_width / found}};
+                    {"their mean width [px] in the image", width / found},
+                    {"in the reference", reference_width / found}};
   return result;
 }
 

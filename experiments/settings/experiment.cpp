@@ -58,7 +58,9 @@ Parameters describe(RunParams& params) {
       .field("overlay", params.overlay,
              {"", "debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ..."})
       .field("for", params.for_engines,
-             {"", "recommended bias in the numbers of these engines: godot,unity-urp,three:near=1"})
+             {"",
+              "recommended bias in the numbers of engines too, such as godot,three:near=1 (three.js with its near "
+              "plane at 1 m)"})
       .take();
 }
 

@@ -160,7 +160,8 @@ class Search {
   // because it was searched better; then the local one from the best point of all.
   void search_numbers() {
     const std::size_t combinations = combinations_of_words();
-    result_.method = fmt::format("DIRECT-L, then subplex{}", words_.empty() ? "" : ", for each combination of words");
+    result_.method = fmt::format("DIRECT-L over the whole space, then subplex around the best point{}",
+                                 words_.empty() ? "" : ", for each combination of words");
     if (!words_.empty()) result_.usual_evaluations = usual_evaluations();
     const std::size_t share = combinations == 1 ? limit_ : limit_ * 8 / 10 / combinations;
     // Few evaluations reach every combination, if not the last search.

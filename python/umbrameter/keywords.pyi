@@ -6,7 +6,7 @@ class Keywords(TypedDict, total=False):
     """The program's parameters."""
 
     scene_unit: str
-    """unit of lengths: mm, cm, m, km, inch, foot; 0.3 is 0.3 m; text. Default: m."""
+    """unit of lengths: mm, cm, m, km, inch, foot or metres, like 0.3; text. Default: m."""
     scene_blend: Literal['opaque', 'leave-out', 'mask']
     """alpha-blended and transmissive surfaces; mask: holes where alpha is below 0.5; opaque, leave-out or mask. Default: opaque."""
     scene_ground: bool
@@ -96,7 +96,7 @@ class Keywords(TypedDict, total=False):
     shadow_polygon_offset_factor: float
     """hardware polygon offset: times the depth's slope per texel; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_polygon_offset_units: float
-    """hardware polygon offset: times the smallest step of the format [units]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    """hardware polygon offset: times the unit of the format, which is measured [units]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_caster_offset: float
     """moves the vertices of casters against their normals, times the profile [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_caster_offset_metres: float
@@ -178,7 +178,7 @@ class Keywords(TypedDict, total=False):
     shadow_msm_moment_bias: float
     """MSM: share of ½ in each moment, against rounding; about 6e-5 for unorm16; a number from 0 to 0.1. Default: 1e-05."""
     shadow_msm_bound: Literal['hamburger', 'hausdorff']
-    """MSM: hausdorff uses that no depth lies outside the map's range; hamburger or hausdorff. Default: hamburger."""
+    """MSM: hausdorff also uses that all depths lie within the map's range; hamburger or hausdorff. Default: hamburger."""
     shadow_csm_ringing_reduction: float
     """CSM: a in the weight exp(−a·(k/M)²) of the k-th of M terms; a number from 0 to 10. Default: 1.0."""
     shadow_csm_contrast: float
@@ -212,7 +212,7 @@ class Keywords(TypedDict, total=False):
     ao_range_check: bool
     """fade out surfaces whose depth differs from the pixel's by more than the radius; true or false. Default: True."""
     ao_kernel: Literal['learnopengl', 'progressive']
-    """points of hemisphere SSAO: random as in Learn OpenGL, or a sequence that more samples extend; learnopengl or progressive. Default: learnopengl."""
+    """points of hemisphere SSAO: random as in Learn OpenGL, or a sequence, to which more samples only add; learnopengl or progressive. Default: learnopengl."""
     ao_slices: int
     """GTAO and bitmask: slices per pixel; an integer from 1 to 256. Default: 3."""
     ao_steps: int
@@ -402,4 +402,4 @@ class Keywords(TypedDict, total=False):
     run_overlay: str
     """debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ...; text."""
     run_for: str
-    """recommended bias in the numbers of these engines: godot,unity-urp,three:near=1; text."""
+    """recommended bias in the numbers of engines too, such as godot,three:near=1 (three.js with its near plane at 1 m); text."""

@@ -35,7 +35,8 @@ Parameters describe(AoKernelParams& params) {
       .choice(
           "kernel", params.kind, names,
           {.unit = {},
-           .meaning = "points of hemisphere SSAO: random as in Learn OpenGL, or a sequence that more samples extend"})
+           .meaning =
+               "points of hemisphere SSAO: random as in Learn OpenGL, or a sequence, to which more samples only add"})
       .take();
 }
 

@@ -248,7 +248,7 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
     if (number.takes_any_offset) {
       converted.code = flags_of(terms.offset);
       if (terms.offset.direction == OffsetDirection::across)
-        converted.code_remark = "across: without its component in the direction of the light";
+        converted.code_remark = "across: moves the receiver only perpendicular to the direction of the light";
     }
     conversion.has_equivalent = true;
   }

@@ -348,12 +348,12 @@ std::vector<BiasEngine> other_engines() {
                    {"polygonOffsetSlope", "texels × slope", 2.0, BiasTerm::slope,
                     [](const Place& p, const Settings&) { return of_sun(p, 1.0); }, "1",
                     "options.polygonOffsetSlope = {}f;"}},
-       .note = "in addition every caster is drawn with polygon offset units 0.5; a VSM map ignores constantBias and "
-               "normalBias; the texels of a map that is not `stable` are warped; version 1.53.4 ignores the normalBias "
-               "that is set and gives every sun 1 (half a texel): to find a constantBias for it, run compare with "
-               "--shadow.normal-offset 0.5",
-       .unverified =
-           "the newest sources scale normalBias differently along the two axes of the map; these numbers do not",
+       .note =
+           "in addition every caster is drawn with polygon offset units 0.5; a VSM map ignores constantBias and "
+           "normalBias; a map that is not `stable` is warped, with texels of other sizes; version 1.53.4 ignores the "
+           "normalBias that you set and uses normalBias = 1 (half a texel) for every sun: to find a constantBias for "
+           "this version, run compare with --shadow.normal-offset 0.5",
+       .unverified = "the newest sources scale normalBias differently along the map's axes; these numbers do not",
        .note_of_lamps =
            "normalBias and polygonOffsetSlope of spot and point lights have no formula here; a spot light's normalBias "
            "of 1 acts as 1.2 to 1.3 texels in 1.53.4",

@@ -77,7 +77,7 @@ Parameters describe(MapDepthParams& params) {
       .field("polygon-offset-factor", params.polygon_offset_factor,
              {.unit = "1", .meaning = "hardware polygon offset: times the depth's slope per texel"})
       .field("polygon-offset-units", params.polygon_offset_units,
-             {.unit = "units", .meaning = "hardware polygon offset: times the smallest step of the format"})
+             {.unit = "units", .meaning = "hardware polygon offset: times the unit of the format, which is measured"})
       .field("caster-offset", params.caster_offset.texels,
              {.unit = "texels", .meaning = "moves the vertices of casters against their normals, times the profile"})
       .field("caster-offset-metres", params.caster_offset.metres,

@@ -16,7 +16,7 @@ Parameters describe(MsmParams& params) {
               .min = 0,
               .max = 0.1})
       .choice("msm-bound", params.bound, bounds,
-              {.unit = {}, .meaning = "MSM: hausdorff uses that no depth lies outside the map's range"})
+              {.unit = {}, .meaning = "MSM: hausdorff also uses that all depths lie within the map's range"})
       .take();
 }
 
