@@ -169,8 +169,8 @@ constexpr const char* squared_maps =
 bool finds_few_edges(const std::vector<Measured>& all) {
   constexpr double few = 0.05;  // of the reference's edge points
   return std::ranges::any_of(all, [](const Measured& each) {
-    const auto detail = std::ranges::find_if(each.result.details,
-                                             [](const auto& pair) { return pair.first.starts_with(edges_in_both); });
+    const auto detail =
+        std::ranges::find_if(each.result.details, [](const auto& pair) { return pair.first == edges_in_both; });
     return (each.metric->name == "edges-found" && !(each.result.score >= few)) ||
            (detail != each.result.details.end() && !(detail->second >= few));
   });
@@ -319,7 +319,12 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
     if (std::ranges::none_of(all, [&](const Measured& each) { return each.metric->name == name; })) continue;
     edges += fmt::format("{}{}: {}", edges.empty() ? "" : "; ", name, meaning);
   }
-  if (!edges.empty()) add_line(console, edges);
+  if (!edges.empty()) {
+    add_line(console, edges);
+    add_line(console, fmt::format("edge points count where both images have a full transition; for edge-roughness, on "
+                                  "edges with at least {} such points",
+                                  fewest_edge_points));
+  }
   if (misaligned) print_line(console, to_text(*misaligned));
   if (finds_few_edges(all)) add_line(console, few_edges);
   for (const std::string& text : details_lines(all)) add_line(console, text);

@@ -227,9 +227,9 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
                   (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
     if (part.has_noise) {
       section.text +=
-          " The noise of the rays can only raise an absolute error. The ± of errors and of their differences makes "
-          "room for "
-          "this on both sides, so that the interval also contains what a reference without noise would give.";
+          " Noise of the rays can only raise an absolute error, so that the true one may be lower. The ± of errors and "
+          "of "
+          "their differences, the same on both sides, is so much larger that the interval contains the true one.";
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=

@@ -181,15 +181,13 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
                                     ? ", as our ao.radius does; set truth.ao-distance to the reach of " + renderer
                                     : "");
   }
-  section.text +=
-      " Noise in the reference can only raise the mean absolute error, which is therefore given as a range; its lower "
-      "end is corrected for this noise.";
+  section.text += noise_note;
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
   const std::string of = renderer.empty() ? technique + " radius " + ao_radius_text(experiment.ao) : renderer;
   presentation.answers.push_back(fmt::format(
       "AO: mean absolute error {}, mean signed error {}{} ({}{}, reference rays {})", text.absolute, text.with_sign,
-      sign_words(s.mean_error), text.has_interval ? "95 % intervals, over rays; " : "", of, limit));
+      sign_words(s.mean_error), text.has_interval ? "95 % intervals, for the noise of the rays; " : "", of, limit));
   add_without_ao(presentation, s.mae, s.mean_truth, s.mean_raster);
   return presentation;
 }

@@ -186,7 +186,7 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
   std::string text = fmt::format(
       "use bias {}{}{}: error {}; {}{}", bias_text(curves, curve, recommended), reason_text(plateau),
       least_error_text(plateau), percent(recommended.mae),
-      plateau.first.constant == plateau.last.constant ? "" : "of the swept biases ",
+      plateau.first.constant == plateau.last.constant ? "" : "swept biases from ",
       range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis, curves.constants));
   if (!plateau.has_little_acne()) {
     const auto line = std::ranges::find(curve.optima.lines, recommended.slope, &BiasLine::slope);
@@ -208,8 +208,10 @@ std::string explanation(const BiasCurves& curves) {
       "normalised depth";
   if (curves.varies_constant) {
     text +=
-        "; a dash means that no bias of the axis qualifies or, at 'recommended', that none is recommended: a remark "
-        "below the table says why. " +
+        std::string("; a dash means that no bias of the axis qualifies") +
+        (std::ranges::any_of(curves.curves, [](const BiasCurve& curve) { return curve.withheld.has_value(); })
+             ? " or, at 'recommended', that none is recommended: the answer or a remark below the table says why. "
+             : ". ") +
         rule_text() +
         " 'Acne at most 0.1 %' and 'no acne' are the smallest such biases, whatever their error; 'least error without "
         "acne' is the best of those without any";

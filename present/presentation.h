@@ -53,6 +53,11 @@ std::string ao_limit_text(const TruthParams& params);
 /// "58.6 cm", or "58.6 cm, reach 85.4 cm" where the technique looks farther than its radius.
 std::string ao_radius_text(const AoParams& params);
 
+/// Why an absolute error against a sampled reference may have a range.
+inline constexpr const char* noise_note =
+    " Noise in the reference can only raise a mean absolute error. Where that matters, the error is given as a range, "
+    "whose lower end is corrected for this noise.";
+
 /// The limit of the mean absolute error against a hard shadow, for pages that compare filters.
 inline constexpr const char* filter_caution =
     "The reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong: with a bias "

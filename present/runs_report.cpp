@@ -257,12 +257,12 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
       const char* cell = runs[value.run].command == "sweep" ? ", cell of least error" : "";
       const std::string own = printed_value(value);
       const std::string difference = interval_text(value.difference, 100.0);
-      std::string line = fmt::format(
-          "{}, {}{}: error {} %{}", what, runs[value.run].name, cell, own,
-          value.interval == IntervalOf::pixels
-              ? fmt::format(" (95 % interval, over pixels{})", value.measured.is_sampled() ? " and rays" : "")
-          : value.interval == IntervalOf::rays ? " (95 % interval, over the rays only)"
-                                               : "");
+      std::string line =
+          fmt::format("{}, {}{}: error {} %{}", what, runs[value.run].name, cell, own,
+                      value.interval == IntervalOf::pixels ? fmt::format(" (95 % interval, over parts of the image{})",
+                                                                         value.measured.is_sampled() ? " and rays" : "")
+                      : value.interval == IntervalOf::rays ? " (95 % interval, over the rays only)"
+                                                           : "");
       const bool is_compared = value.verdict != Verdict::base && value.verdict != Verdict::no_base;
       if (!is_compared && value.counted_blocks > 0) {
         line += " (no interval: " + few_blocks_text(value.counted_blocks) + ")";

@@ -160,6 +160,7 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
           : fmt::format(
                 "The result of {} has no causes against any reference, because it is no sum of depth comparisons.",
                 technique_name(shadow.experiment));
+  section.text += noise_note;
   if (s.error.max_x >= 0) {
     section.text += fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.error.max_error),
                                 s.error.max_x, s.error.max_y);

@@ -111,8 +111,7 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
        {"contacts", "px",
         "pixels where, in the image, the reference shadow begins beside the caster or a pixel away from it"},
        {"without shadow", "px",
-        "contacts where the technique lacks the shadow of the reference over its whole length; the gap counts as that "
-        "length"},
+        "contacts where the technique shows none of the reference's shadow; the gap is then as long as that shadow"},
        {"median contact gap", "m", gap + "median"},
        {"median contact gap", "texels", gap + "median"},
        {"median contact gap", "px", gap + "median"},

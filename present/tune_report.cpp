@@ -217,7 +217,7 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   const std::string plain = cost_text(goal, result.best.score.cost);
   const std::string range = cost_text(goal, result.best.score.cost, summary.judgement.best);
   const std::string covers =
-      std::string("95 % interval, over pixels") + (summary.judgement.covers_rays ? " and rays" : "");
+      std::string("95 % interval, over parts of the image") + (summary.judgement.covers_rays ? " and rays" : "");
   const std::size_t half_width = range.find(" ± ");
   const std::string cost =
       range == plain ? plain

@@ -23,7 +23,7 @@ std::string pair_text(const TuneAxis& axis, const Value& a, const Value& b, cons
   return first + between + second;
 }
 
-// The measured values next to the range: it ends somewhere before them. "; nearest measured outside: 0.0841 and 0.484
+// The measured values next to the range: it ends somewhere before them. "; no longer at 0.0841 and 0.484
 // texels".
 std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const std::pair<Value, Value>& range) {
   const TuneAxis& axis = summary.axes[scan.axis];
@@ -36,8 +36,8 @@ std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const
     if (to_number(value) > to_number(range.second) && !above) above = value;
   }
   if (!below && !above) return {};
-  if (below && above) return fmt::format("; nearest measured outside: {}", pair_text(axis, *below, *above, " and "));
-  return fmt::format("; nearest measured outside: {}", value_text(axis, below ? *below : *above));
+  if (below && above) return fmt::format("; no longer at {}", pair_text(axis, *below, *above, " and "));
+  return fmt::format("; no longer at {}", value_text(axis, below ? *below : *above));
 }
 
 std::string good_values_text(const TuneSummary& summary, const AxisScan& scan) {
@@ -131,13 +131,13 @@ Table sensitivity_table(const TuneSummary& summary) {
        {"axis", "", "values that were allowed"},
        {"best", "", "value of least cost"},
        {"within " + tolerance_text(summary) + (summary.goal.constraints.empty() ? "" : ", constraints kept"), "",
-        "values around the best one, of a cost at most that much above the least" +
+        "range around the best value in which the cost is at most this much above the least" +
             (summary.result.limit.is_by_pixels
                  ? fmt::format(" ({} of all counted pixels, which is more than 5 %)", chance_pixels)
                  : std::string()) +
-            ". Of a constant bias they are exact where the cost at every bias is known. Of other parameters a few "
-            "values "
-            "were measured; the true end lies between the range and 'nearest measured outside'" +
+            ". For a constant bias its ends are exact where one pass gives the cost of every bias; for other "
+            "parameters "
+            "they lie between the values given and the next ones measured ('no longer at')" +
             (summary.goal.constraints.empty() ? "" : ". Values that break a constraint are outside")},
        {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};

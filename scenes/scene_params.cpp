@@ -29,7 +29,7 @@ constexpr double longest_unit = 1e12;    // metres
 Parameters describe(SceneParams& params) {
   return Description("scene")
       .field("unit", params.unit,
-             {.unit = {}, .meaning = "unit of lengths: mm, cm, m, km, inch, foot or metres, like 0.3", .basic = true})
+             {.unit = {}, .meaning = "unit of lengths: mm, cm, m, km, inch, foot, or its length in m", .basic = true})
       .choice("blend", params.blend, blend_mode_names,
               {.unit = {}, .meaning = "alpha-blended and transmissive surfaces; mask: holes where alpha is below 0.5"})
       .field("ground", params.ground, {.unit = {}, .meaning = "add a floor below the scene, 5 times its diagonal wide"})

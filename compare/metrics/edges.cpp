@@ -8,11 +8,9 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t fewest = 8;  // points of an edge that has a roughness
-
 // A map of a value of the found points, and the details that all metrics of edges report.
 MetricResult measure_points(const MetricInput& input, const std::vector<EdgePoint>& points,
-                            const std::vector<double>& values, const std::string& of_edges) {
+                            const std::vector<double>& values) {
   Image<float> map(input.reference.width, input.reference.height, std::numeric_limits<float>::quiet_NaN());
   double found = 0.0;
   double width = 0.0;
@@ -26,20 +24,17 @@ MetricResult measure_points(const MetricInput& input, const std::vector<EdgePoin
   }
   MetricResult result = mean_of_map(std::move(map), [](std::size_t) { return true; });
   result.details = {{"edge points", static_cast<double>(points.size())},
-                    {edges_in_both + of_edges, found / static_cast<double>(points.size())},
-                    {"their mean width [px] in the image", width / found},
-                    {"in the reference", reference_width / found}};
+                    {edges_in_both, found / static_cast<double>(points.size())},
+                    {"their mean width in the test image [px]", width / found},
+                    {"their mean width in the reference [px]", reference_width / found}};
   return result;
 }
 
 // The lengths of the points in px, or in another unit by a factor for each.
 using Values = std::vector<double> (*)(const std::vector<EdgePoint>& points, const std::vector<double>& factors);
 
-// `of_edges` says which edges count, where not all do.
-MetricResult measure_lengths(const MetricInput& input, const std::vector<EdgePoint>& points, Values values_of,
-                             const std::string& of_edges = {}) {
-  MetricResult result =
-      measure_points(input, points, values_of(points, std::vector<double>(points.size(), 1.0)), of_edges);
+MetricResult measure_lengths(const MetricInput& input, const std::vector<EdgePoint>& points, Values values_of) {
+  MetricResult result = measure_points(input, points, values_of(points, std::vector<double>(points.size(), 1.0)));
   if (!input.edge_scale) return result;
   std::vector<double> texels(points.size(), 0.0);
   std::vector<double> metres(points.size(), 0.0);
@@ -50,7 +45,7 @@ MetricResult measure_lengths(const MetricInput& input, const std::vector<EdgePoi
     metres[i] = factors.metres;
   }
   for (const std::vector<double>& factors : {texels, metres}) {
-    result.in_other_units.push_back(measure_points(input, points, values_of(points, factors), of_edges).score);
+    result.in_other_units.push_back(measure_points(input, points, values_of(points, factors)).score);
   }
   return result;
 }
@@ -92,10 +87,8 @@ MetricResult measure_roughness(const MetricInput& input) {
     if (counts.size() <= point.edge) counts.resize(point.edge + 1);
     if (point.is_found) ++counts[point.edge];
   }
-  for (EdgePoint& point : points) point.is_found = point.is_found && counts[point.edge] >= fewest;
-  MetricResult result =
-      measure_lengths(input, points, squares_about_mean,
-                      " and " + std::to_string(fewest - 1) + " or more other such points on their edge");
+  for (EdgePoint& point : points) point.is_found = point.is_found && counts[point.edge] >= fewest_edge_points;
+  MetricResult result = measure_lengths(input, points, squares_about_mean);
   result.score = std::sqrt(result.score);
   for (double& score : result.in_other_units) score = std::sqrt(score);
   return result;

@@ -99,8 +99,10 @@ extern const Metric edge_displacement_metric;
 extern const Metric edge_roughness_metric;
 extern const Metric edge_width_metric;
 extern const Metric edges_found_metric;
-/// A detail of the metrics of edges: their mean is over these points.
-inline constexpr const char* edges_in_both = "share of edge points with a full transition in both images";
+/// Points of an edge that has a roughness.
+inline constexpr std::size_t fewest_edge_points = 8;
+/// A detail of the metrics of edges: their mean is over the points with a full transition in both images.
+inline constexpr const char* edges_in_both = "share of edge points that count";
 extern const Metric ldr_flip_metric;
 extern const Metric hdr_flip_metric;
 

@@ -59,7 +59,7 @@ Parameters describe(RunParams& params) {
              {"", "debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ..."})
       .field("for", params.for_engines,
              {"",
-              "recommended bias in the numbers of engines too, such as godot,three:near=1 (three.js with its near "
+              "recommended bias also as settings of engines, such as godot,three:near=1 (three.js with its near "
               "plane at 1 m)"})
       .take();
 }

@@ -6,7 +6,7 @@ class Keywords(TypedDict, total=False):
     """The program's parameters."""
 
     scene_unit: str
-    """unit of lengths: mm, cm, m, km, inch, foot or metres, like 0.3; text. Default: m."""
+    """unit of lengths: mm, cm, m, km, inch, foot, or its length in m; text. Default: m."""
     scene_blend: Literal['opaque', 'leave-out', 'mask']
     """alpha-blended and transmissive surfaces; mask: holes where alpha is below 0.5; opaque, leave-out or mask. Default: opaque."""
     scene_ground: bool
@@ -168,7 +168,7 @@ class Keywords(TypedDict, total=False):
     shadow_csm_terms: int
     """CSM: terms of the Fourier series, two to a layer; an integer from 1 to 16. Default: 16."""
     shadow_moment_samples: int
-    """filtered maps: depths in a texel whose values are averaged, a square number; an integer from 1 to 16. Default: 1."""
+    """filtered maps: depths per texel whose stored values are averaged: 1, 4, 9 or 16; an integer from 1 to 16. Default: 1."""
     shadow_moment_mipmaps: bool
     """filtered maps: trilinear look-up by the pixel's footprint in the map; true or false. Default: False."""
     shadow_min_variance: float
@@ -176,13 +176,13 @@ class Keywords(TypedDict, total=False):
     shadow_bleeding_reduction: float
     """VSM, EVSM and MSM: visibility up to which all is dark (GPU Gems 3, chapter 8); a number from 0 to 0.99. Default: 0.0."""
     shadow_msm_moment_bias: float
-    """MSM: share of ½ in each moment, against rounding; about 6e-5 for unorm16; a number from 0 to 0.1. Default: 1e-05."""
+    """MSM: how far each moment is blended towards ½, against rounding; about 6e-5 for unorm16; a number from 0 to 0.1. Default: 1e-05."""
     shadow_msm_bound: Literal['hamburger', 'hausdorff']
     """MSM: hausdorff also uses that all depths lie within the map's range; hamburger or hausdorff. Default: hamburger."""
     shadow_csm_ringing_reduction: float
     """CSM: a in the weight exp(−a·(k/M)²) of the k-th of M terms; a number from 0 to 10. Default: 1.0."""
     shadow_csm_contrast: float
-    """CSM: factor of the series, which is ½ at the occluder; a number from 1 to 10. Default: 2.0."""
+    """CSM: factor of the visibility that the series gives, which is ½ at the occluder's depth; a number from 1 to 10. Default: 2.0."""
     shadow_contact_shadows: bool
     """darken the technique's result by screen-space shadows; true or false. Default: False."""
     shadow_screen_length: float
@@ -402,4 +402,4 @@ class Keywords(TypedDict, total=False):
     run_overlay: str
     """debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ...; text."""
     run_for: str
-    """recommended bias in the numbers of engines too, such as godot,three:near=1 (three.js with its near plane at 1 m); text."""
+    """recommended bias also as settings of engines, such as godot,three:near=1 (three.js with its near plane at 1 m); text."""

@@ -19,7 +19,10 @@ Parameters describe(CsmLookupParams& params) {
           "csm-ringing-reduction", params.ringing_reduction,
           {.unit = "1", .meaning = "CSM: a in the weight exp(−a·(k/M)²) of the k-th of M terms", .min = 0, .max = 10})
       .field("csm-contrast", params.contrast,
-             {.unit = "1", .meaning = "CSM: factor of the series, which is ½ at the occluder", .min = 1, .max = 10})
+             {.unit = "1",
+              .meaning = "CSM: factor of the visibility that the series gives, which is ½ at the occluder's depth",
+              .min = 1,
+              .max = 10})
       .take();
 }
 

@@ -12,7 +12,7 @@ Parameters describe(MsmParams& params) {
   return Description("shadow")
       .field("msm-moment-bias", params.moment_bias,
              {.unit = "1",
-              .meaning = "MSM: share of ½ in each moment, against rounding; about 6e-5 for unorm16",
+              .meaning = "MSM: how far each moment is blended towards ½, against rounding; about 6e-5 for unorm16",
               .min = 0,
               .max = 0.1})
       .choice("msm-bound", params.bound, bounds,

@@ -34,7 +34,7 @@ Parameters describe(MapSamplingParams& params) {
   return Description("shadow")
       .field("moment-samples", params.samples,
              {.unit = "1",
-              .meaning = "filtered maps: depths in a texel whose values are averaged, a square number",
+              .meaning = "filtered maps: depths per texel whose stored values are averaged: 1, 4, 9 or 16",
               .min = 1,
               .max = 16})
       .field("moment-mipmaps", params.mipmaps,

@@ -66,8 +66,8 @@ TEST_F(ReportAgain, Of_an_exact_reference_names_no_rays) {
   }
   const std::string out = run_program(words(report, {"-o", folder_ / "both"})).out;
   EXPECT_EQ(out.substr(0, out.find('\n')).find("rays"), std::string::npos) << out;
-  expect_words(
-      out, {"sun, 1texels: error ", " % (95 % interval, over pixels)\n", " % (95 % interval, over pixels and rays)"});
+  expect_words(out, {"sun, 1texels: error ", " % (95 % interval, over parts of the image)\n",
+                     " % (95 % interval, over parts of the image and rays)"});
 }
 
 TEST_F(ReportAgain, Of_two_runs_says_what_was_measured_and_with_which_technique) {

@@ -50,8 +50,8 @@ TEST_F(TuneCases, The_interval_covers_rays_where_a_reference_is_sampled) {
                         "--truth.spp", "8", "--size", "320x180", "-o", folder_ / angle, "--no-figures"})
         .out;
   };
-  expect_words(out("0"), {"(95 % interval, over pixels), the mean of "});
-  expect_words(out("1"), {"(95 % interval, over pixels and rays", " %               the same cost "});
+  expect_words(out("0"), {"(95 % interval, over parts of the image), the mean of "});
+  expect_words(out("1"), {"(95 % interval, over parts of the image and rays", " %               the same cost "});
 }
 
 }  // namespace

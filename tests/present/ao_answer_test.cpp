@@ -28,7 +28,7 @@ TEST(AoAnswer, Absolute_and_signed_error_have_the_digits_of_the_wider_interval) 
   error.mean_error = {-0.089738, -0.08976, -0.089716};
   EXPECT_EQ(present_ao({}, ao).answers.at(0),
             "AO: mean absolute error 10.645 to 10.752 %, mean signed error −8.974 ± 0.002 %, too dark (95 % intervals, "
-            "over rays; SSAO "
+            "for the noise of the rays; SSAO "
             "radius 50 cm, reference rays up to 50 cm)");
   // An interval so much narrower that it would read as ± 0.00 is rounded up.
   error.mae = {0.064, 0.0637, 0.0658};
