@@ -321,7 +321,9 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
   }
   if (!edges.empty()) {
     add_line(console, edges);
-    add_line(console, fmt::format("edge points count where both images have a full transition; for edge-roughness, on "
+    add_line(console, fmt::format("the maps of edges hold these values at each edge point that counts: both images "
+                                  "have a full transition; for "
+                                  "edge-roughness, on "
                                   "edges with at least {} such points",
                                   fewest_edge_points));
   }

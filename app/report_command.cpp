@@ -227,9 +227,9 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
                   (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
     if (part.has_noise) {
       section.text +=
-          " Noise of the rays can only raise an absolute error, so that the true one may be lower. The ± of errors and "
-          "of "
-          "their differences, the same on both sides, is so much larger that the interval contains the true one.";
+          " Noise of the rays can only raise an absolute error, so that the true one may be lower. To cover it too, "
+          "the ± of "
+          "each error and each difference is widened, by the same amount up and down.";
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=

@@ -54,16 +54,17 @@ std::string advice_text(const BiasAdvice& advice) {
                        shows_acne && little ? ", acne at most 0.1 % from " + bias_text(advice, *little) : "");
   }
   const std::string range = range_text(advice.plateau, advice.unit, "error", percent(advice.plateau.least.mae));
-  const auto acne_left = [&](const BiasCell& cell, const std::string& before) {
+  const auto less_acne = [&](const BiasCell& cell) {
     if (cell.acne <= little_acne_share) return std::string();
     const std::optional<BiasCell>& little = advice.line.little_acne;
-    return "; " + acne_left_text(before + percent(cell.acne), little, little ? bias_text(advice, *little) : "");
+    return less_acne_text(little, little ? bias_text(advice, *little) : "");
   };
   if (keeps_bias(advice)) {
     const bool is_in_range =
         used.constant >= advice.plateau.first.constant && used.constant <= advice.plateau.last.constant;
-    return fmt::format("keep bias {}: error {}; {}{}{}", bias_text(advice, used), percent(used.mae), range,
-                       is_in_range ? "" : ", and so is this one", acne_left(used, ""));
+    return fmt::format("keep bias {}: error {}{}; {}{}{}", bias_text(advice, used), percent(used.mae),
+                       used.acne > little_acne_share ? ", acne " + percent(used.acne) : "", range,
+                       is_in_range ? "" : ", and so has this one", less_acne(used));
   }
   // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= advice.plateau.limit;
@@ -73,12 +74,12 @@ std::string advice_text(const BiasAdvice& advice) {
   const std::string little_from =
       says_where ? fmt::format("; of these, acne is at most 0.1 % from {} on", short_bias_text(advice, recommended))
                  : "";
-  const bool shows_acne = is_for_acne || *reason != '\0' || recommended.acne > used.acne;
+  const bool shows_acne =
+      is_for_acne || *reason != '\0' || recommended.acne > used.acne || recommended.acne > little_acne_share;
   return fmt::format("use bias {}{}{}: {}error {} → {}; {}{}", bias_text(advice, recommended), reason,
                      least_error_text(advice.plateau),
                      shows_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
-                     percent(used.mae), percent(recommended.mae), range + little_from,
-                     acne_left(recommended, shows_acne ? "" : percent(used.acne) + " → "));
+                     percent(used.mae), percent(recommended.mae), range + little_from, less_acne(recommended));
 }
 
 ReportTable advice_table(const BiasAdvice& advice) {

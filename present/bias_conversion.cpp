@@ -346,7 +346,7 @@ std::vector<std::string> conversion_notes(const ConvertedBias& bias) {
     if (engine.no_numbers.empty() && &engine != bias.source.engine && !is_target) left_out.push_back(engine.name);
   }
   if (bias.takes_all && !left_out.empty()) {
-    notes.push_back("no number for any part of this bias: " + joined(left_out, ", "));
+    notes.push_back("no part of this bias has an equivalent in: " + joined(left_out, ", "));
   }
   return notes;
 }

@@ -192,7 +192,7 @@ PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& sett
   plot.title = is_over_texel ? "Bias against texel size" : "Bias by the formula less the measured bias";
   plot.conditions = setting_text(curves.of_a_formula, setting);
   plot.caption = is_over_texel ? "Rings: the measured biases, one for each resolution and formula. Lines: the biases "
-                                 "that each formula predicts there."
+                                 "that each formula predicts for the same resolutions."
                                : fmt::format(
                                      "Points: one for each combination of {}. Above 0 the formula's bias is "
                                      "larger.",

@@ -184,15 +184,15 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
   }
   const BiasCell& recommended = plateau.recommended;
   std::string text = fmt::format(
-      "use bias {}{}{}: error {}; {}{}", bias_text(curves, curve, recommended), reason_text(plateau),
+      "use bias {}{}{}: error {}{}; {}{}", bias_text(curves, curve, recommended), reason_text(plateau),
       least_error_text(plateau), percent(recommended.mae),
+      plateau.has_little_acne() ? "" : ", acne " + percent(recommended.acne),
       plateau.first.constant == plateau.last.constant ? "" : "swept biases from ",
       range_text(plateau, curves.unit, "error", percent(plateau.least.mae), only_of_axis, curves.constants));
   if (!plateau.has_little_acne()) {
     const auto line = std::ranges::find(curve.optima.lines, recommended.slope, &BiasLine::slope);
     const std::optional<BiasCell>& little = line->little_acne;
-    text += "; " + acne_left_text(percent(recommended.acne), little,
-                                  little ? constant_text(curves, curve, *little) : "", true);
+    text += less_acne_text(little, little ? constant_text(curves, curve, *little) : "", true);
   }
   if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";
   if (curve.coarse) {

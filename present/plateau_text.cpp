@@ -90,12 +90,10 @@ const char* least_error_text(const BiasPlateau& plateau) {
   return decides && !plateau.has_little_acne() ? " for the least error" : "";
 }
 
-std::string acne_left_text(const std::string& acne, const std::optional<BiasCell>& little,
-                           const std::string& little_text, bool is_swept) {
-  return fmt::format("acne {}; {}", acne,
-                     little ? fmt::format("it falls to at most 0.1 % only at {}{}, where the error is {}",
-                                          is_swept ? "the swept bias " : "", little_text, percent(little->mae))
-                            : fmt::format("it is more than 0.1 % at every {}", is_swept ? "swept bias" : "bias"));
+std::string less_acne_text(const std::optional<BiasCell>& little, const std::string& little_text, bool is_swept) {
+  return little ? fmt::format("; from {}{} on acne is at most 0.1 %, with an error of {}",
+                              is_swept ? "the swept bias " : "", little_text, percent(little->mae))
+                : fmt::format("; acne is more than 0.1 % at every {}", is_swept ? "swept bias" : "bias");
 }
 
 std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {

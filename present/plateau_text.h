@@ -51,10 +51,10 @@ const char* reason_text(const BiasPlateau& plateau, bool is_for_acne = false);
 /// " for the least error" where no bias of the range has little acne and a smaller one is in the range.
 const char* least_error_text(const BiasPlateau& plateau);
 
-/// "acne 0.256 %; it falls to at most 0.1 % only at 2.5 texels, where the error is 2.29 %": of a bias with more.
-/// `little` is the smallest bias with so little acne, of the swept ones or of all, and `little_text` its text.
-std::string acne_left_text(const std::string& acne, const std::optional<BiasCell>& little,
-                           const std::string& little_text, bool is_swept = false);
+/// "; from 2.5 texels on acne is at most 0.1 %, with an error of 2.29 %": beside a bias with more. `little` is the
+/// smallest bias with so little acne, of the swept ones or of all, and `little_text` its text.
+std::string less_acne_text(const std::optional<BiasCell>& little, const std::string& little_text,
+                           bool is_swept = false);
 
 /// Why no bias is recommended and what to do: "no counted pixel is in shadow, so a large bias costs nothing;
 /// --scene.ground adds a floor".

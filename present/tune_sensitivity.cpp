@@ -23,8 +23,7 @@ std::string pair_text(const TuneAxis& axis, const Value& a, const Value& b, cons
   return first + between + second;
 }
 
-// The measured values next to the range: it ends somewhere before them. "; no longer at 0.0841 and 0.484
-// texels".
+// The measured values next to the range: " (the next measured values, 0.0841 and 0.484 texels, are outside)".
 std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const std::pair<Value, Value>& range) {
   const TuneAxis& axis = summary.axes[scan.axis];
   const bool is_exact = summary.result.plateau && axis.key() == constant_bias_key;
@@ -36,8 +35,9 @@ std::string outside_text(const TuneSummary& summary, const AxisScan& scan, const
     if (to_number(value) > to_number(range.second) && !above) above = value;
   }
   if (!below && !above) return {};
-  if (below && above) return fmt::format("; no longer at {}", pair_text(axis, *below, *above, " and "));
-  return fmt::format("; no longer at {}", value_text(axis, below ? *below : *above));
+  if (below && above)
+    return fmt::format(" (the next measured values, {}, are outside)", pair_text(axis, *below, *above, " and "));
+  return fmt::format(" (the next measured value, {}, is outside)", value_text(axis, below ? *below : *above));
 }
 
 std::string good_values_text(const TuneSummary& summary, const AxisScan& scan) {
@@ -135,9 +135,9 @@ Table sensitivity_table(const TuneSummary& summary) {
             (summary.result.limit.is_by_pixels
                  ? fmt::format(" ({} of all counted pixels, which is more than 5 %)", chance_pixels)
                  : std::string()) +
-            ". For a constant bias its ends are exact where one pass gives the cost of every bias; for other "
-            "parameters "
-            "they lie between the values given and the next ones measured ('no longer at')" +
+            ". Where a row names next measured values, the range ends between its values and them; without them its "
+            "ends "
+            "are exact" +
             (summary.goal.constraints.empty() ? "" : ". Values that break a constraint are outside")},
        {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};

@@ -68,9 +68,9 @@ class Keywords(TypedDict, total=False):
     shadow_warp: Literal['none', 'lispsm']
     """warp of a single map fitted to the view: none, or light-space perspective; none or lispsm. Default: none."""
     shadow_warp_near: float
-    """nearest depth that the warp serves best [m]; a number from 0 to 1e+12. Default: 1.0."""
+    """start of the view depths that the warp serves best [m]; a number from 0 to 1e+12. Default: 1.0."""
     shadow_warp_far: float
-    """farthest depth that the warp serves best [m]; a number from 1e-06 to 1e+12. Default: 100.0."""
+    """end of the view depths that the warp serves best [m]; a number from 1e-06 to 1e+12. Default: 100.0."""
     shadow_pancaking: bool
     """start a directional light's depth range at the receivers, clamp casters before it; true or false. Default: False."""
     shadow_near_offset: float
@@ -122,7 +122,7 @@ class Keywords(TypedDict, total=False):
     shadow_normal_offset_facing: Literal['viewer', 'front']
     """normal of back faces: turned to the viewer, or that of the front; viewer or front. Default: viewer."""
     shadow_normal_offset_texel: Literal['receiver', 'middle']
-    """texel of the normal offset: at the receiver, or in the middle of a warped map; receiver or middle. Default: receiver."""
+    """texel size in the normal offset: at the receiver, or in the middle of a warped map; receiver or middle. Default: receiver."""
     shadow_receiver_plane: bool
     """compare each tap with the depth of the receiver's plane at the tap; true or false. Default: False."""
     shadow_cone_bias: float
@@ -196,7 +196,7 @@ class Keywords(TypedDict, total=False):
     shadow_screen_jitter: bool
     """screen-space shadows: shift the samples by interleaved gradient noise; true or false. Default: True."""
     shadow_screen_plane: bool
-    """screen-space shadows: only what lies before the receiver's plane blocks; true or false. Default: True."""
+    """screen-space shadows: ignore what lies behind the receiver's tangent plane; true or false. Default: True."""
     ao_samples: int
     """samples per pixel; not of HBAO, GTAO and the bitmask; an integer from 1 to 1024. Default: 64."""
     ao_radius: float | str
@@ -212,7 +212,7 @@ class Keywords(TypedDict, total=False):
     ao_range_check: bool
     """fade out surfaces whose depth differs from the pixel's by more than the radius; true or false. Default: True."""
     ao_kernel: Literal['learnopengl', 'progressive']
-    """points of hemisphere SSAO: random as in Learn OpenGL, or a sequence, to which more samples only add; learnopengl or progressive. Default: learnopengl."""
+    """points of hemisphere SSAO: random as in Learn OpenGL, or a progressive sequence, of which more samples keep the points; learnopengl or progressive. Default: learnopengl."""
     ao_slices: int
     """GTAO and bitmask: slices per pixel; an integer from 1 to 256. Default: 3."""
     ao_steps: int

@@ -32,11 +32,10 @@ float sequence(std::uint32_t seed, int i, std::uint32_t dimension) {
 Parameters describe(AoKernelParams& params) {
   static constexpr std::array<std::string_view, 2> names{"learnopengl", "progressive"};
   return Description("ao")
-      .choice(
-          "kernel", params.kind, names,
-          {.unit = {},
-           .meaning =
-               "points of hemisphere SSAO: random as in Learn OpenGL, or a sequence, to which more samples only add"})
+      .choice("kernel", params.kind, names,
+              {.unit = {},
+               .meaning = "points of hemisphere SSAO: random as in Learn OpenGL, or a progressive sequence, of which "
+                          "more samples keep the points"})
       .take();
 }
 

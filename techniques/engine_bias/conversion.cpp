@@ -96,6 +96,12 @@ const char* profile_text(OffsetProfile profile) {
   return profile == OffsetProfile::sine ? "× sin θ" : "× (1 − cos θ)";
 }
 
+// Of a length.
+const char* length_text(OffsetProfile profile) {
+  if (profile == OffsetProfile::constant) return "the same at every angle";
+  return profile == OffsetProfile::sine ? "proportional to sin θ" : "proportional to 1 − cos θ";
+}
+
 }  // namespace
 
 std::string text_of(const OffsetKind& kind) {
@@ -112,8 +118,8 @@ std::string offset_difference(const OffsetKind& kind, const OffsetKind& other) {
                                                          : "moves the caster inwards (not the receiver)");
   }
   if (kind.profile != other.profile)
-    parts.push_back("has a length " + std::string(profile_text(kind.profile)) + " (not " + profile_text(other.profile) +
-                    ")");
+    parts.push_back("has a length that is " + std::string(length_text(kind.profile)) + " (not " +
+                    length_text(other.profile) + ")");
   if (kind.direction != other.direction) {
     parts.emplace_back(kind.direction == OffsetDirection::normal ? "has a component in the direction of the light"
                                                                  : "has no component in the direction of the light");
@@ -255,7 +261,7 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
   constexpr const char* names[] = {"constant bias", "normal offset", "bias by slope"};
   for (std::size_t term = 0; term < 3; ++term) {
     if (amounts[term] != 0.0 && !has_term[term])
-      conversion.missing.push_back(std::string("no number for the ") + names[term]);
+      conversion.missing.push_back(std::string("no setting for the ") + names[term]);
   }
   return conversion;
 }

@@ -77,9 +77,9 @@ Parameters describe(MapFitParams& params) {
       .choice("warp", params.warp, warp_names,
               {.unit = {}, .meaning = "warp of a single map fitted to the view: none, or light-space perspective"})
       .field("warp-near", params.warp_near,
-             {.unit = "m", .meaning = "nearest depth that the warp serves best", .min = 0})
+             {.unit = "m", .meaning = "start of the view depths that the warp serves best", .min = 0})
       .field("warp-far", params.warp_far,
-             {.unit = "m", .meaning = "farthest depth that the warp serves best", .min = 1e-6})
+             {.unit = "m", .meaning = "end of the view depths that the warp serves best", .min = 1e-6})
       .field(
           "pancaking", params.pancaking,
           {.unit = "", .meaning = "start a directional light's depth range at the receivers, clamp casters before it"})

@@ -46,8 +46,9 @@ Parameters describe(BiasParams& params) {
               {.unit = {}, .meaning = "normal offset along the normal, or only its part across the light"})
       .choice("normal-offset-facing", params.offset_facing, offset_facing_names,
               {.unit = {}, .meaning = "normal of back faces: turned to the viewer, or that of the front"})
-      .choice("normal-offset-texel", params.offset_texel, offset_texel_names,
-              {.unit = {}, .meaning = "texel of the normal offset: at the receiver, or in the middle of a warped map"})
+      .choice(
+          "normal-offset-texel", params.offset_texel, offset_texel_names,
+          {.unit = {}, .meaning = "texel size in the normal offset: at the receiver, or in the middle of a warped map"})
       .field("receiver-plane", params.receiver_plane,
              {.unit = {}, .meaning = "compare each tap with the depth of the receiver's plane at the tap"})
       .field("cone-bias", params.cone,

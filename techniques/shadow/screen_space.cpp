@@ -24,7 +24,7 @@ Parameters describe(ScreenSpaceParams& params) {
       .field("screen-jitter", params.jitter,
              {.unit = {}, .meaning = "screen-space shadows: shift the samples by interleaved gradient noise"})
       .field("screen-plane", params.plane,
-             {.unit = {}, .meaning = "screen-space shadows: only what lies before the receiver's plane blocks"})
+             {.unit = {}, .meaning = "screen-space shadows: ignore what lies behind the receiver's tangent plane"})
       .take();
 }
 

@@ -138,9 +138,10 @@ TEST(Convert, A_number_below_the_inspectors_step_and_one_beyond_its_limits_are_n
 TEST(Convert, A_bias_that_a_target_cannot_say_is_lost_with_a_word) {
   const ProgramResult result = convert({"courtyard", "--light", "sun", "--from", "metres:0.05", "--to", "playcanvas"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("// no number for the constant bias: it is lost"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("// no setting for the constant bias: it is lost"), std::string::npos) << result.out;
   const ProgramResult all = convert({"courtyard", "--light", "sun", "--from", "metres:0.05"});
-  EXPECT_NE(all.err.find("no number for any part of this bias: playcanvas, unity-hdrp"), std::string::npos) << all.err;
+  EXPECT_NE(all.err.find("no part of this bias has an equivalent in: playcanvas, unity-hdrp"), std::string::npos)
+      << all.err;
 }
 
 TEST(Convert, The_metres_of_one_unit_have_their_sign_and_their_place) {

@@ -47,7 +47,8 @@ TEST(TuneSensitivity, Of_an_axis_of_many_whole_numbers_the_measured_ones_are_nam
   TuneSummary summary = summary_of("shadow.resolution", "256:2048:log", "shadow", at(2037, 0.01));
   summary.result.limit = {0.0105};
   summary.result.scans = {{0, {at(1947, 0.012), at(2037, 0.01), at(2048, 0.011)}}};
-  EXPECT_EQ(to_string(sensitivity_table(summary).rows[0][3]), "2037 texels; no longer at 1947 and 2048 texels");
+  EXPECT_EQ(to_string(sensitivity_table(summary).rows[0][3]),
+            "2037 texels (the next measured values, 1947 and 2048 texels, are outside)");
 }
 
 TEST(TuneFront, A_table_of_a_long_front_has_the_best_point_and_says_how_many_it_leaves_out) {
@@ -96,7 +97,8 @@ TEST(TuneSensitivity, A_range_by_pixels_is_a_share_of_them_where_several_cases_a
   summary.cases = {"sun"};
   const Table of_one = sensitivity_table(summary);
   EXPECT_EQ(of_one.columns[3].name, "within 3 wrong pixels");
-  EXPECT_EQ(to_string(of_one.rows[0][3]), "2 to 4 texels (upper end of the axis); no longer at 0 texels");
+  EXPECT_EQ(to_string(of_one.rows[0][3]),
+            "2 to 4 texels (upper end of the axis) (the next measured value, 0 texels, is outside)");
   summary.cases = {"sun", "lamp"};
   EXPECT_EQ(sensitivity_table(summary).columns[3].name,
             "within 0.30 percentage points (three wrong pixels of all cases)");
