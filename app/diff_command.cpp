@@ -321,11 +321,10 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
   }
   if (!edges.empty()) {
     add_line(console, edges);
-    add_line(console, fmt::format("the maps of edges hold these values at each edge point that counts: both images "
-                                  "have a full transition; for "
-                                  "edge-roughness, on "
-                                  "edges with at least {} such points",
-                                  fewest_edge_points));
+    add_line(console,
+             fmt::format("edge points count where both images have a full transition; for edge-roughness, on "
+                         "edges with at least {} such points. The maps of edges have one value at each of these",
+                         fewest_edge_points));
   }
   if (misaligned) print_line(console, to_text(*misaligned));
   if (finds_few_edges(all)) add_line(console, few_edges);

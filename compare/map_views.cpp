@@ -122,12 +122,12 @@ Statistics describe(ViewStatistics& s) {
 
 Statistics describe(SeamStatistics& s) {
   return StatisticsDescription()
-      .field(
-          "pixels", s.pixels, "px",
-          fmt::format("counted pixels near the border of the view that they look up, where a second view covers them, "
-                      "too: in the outer {:g} % of a cascade's extent, or within a texel of the edge of a cube face or "
-                      "paraboloid",
-                      100.0 * seam_zone))
+      .field("pixels", s.pixels, "px",
+             fmt::format(
+                 "counted pixels near the border of the view that they look up, compared with the view beside it: in "
+                 "the outer {:g} % of a cascade's extent, where the next one holds them, too, or within a texel "
+                 "of the edge of a cube face or paraboloid",
+                 100.0 * seam_zone))
       .field("share", s.share, "1", "share of all counted pixels")
       .field("mean_difference", s.mean_difference, "1", "mean |difference of visibility| between the two views")
       .field("largest_difference", s.largest_difference, "1", "largest of these differences")

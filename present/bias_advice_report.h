@@ -9,8 +9,8 @@
 
 namespace umbrameter {
 
-/// "use bias 2.8 texels (12 cm): error 9.1 % → 1.2 %; 2.6 to 3.1 texels have at most 1.05 times the least error, 1.2
-/// %"; "keep …" where the bias in use is as good; where none is recommended, why.
+/// "use bias 2.8 texels (12 cm): error 9.1 % → 1.2 %; 2.6 to 3.1 texels have at most 1.05 times the least error
+/// (1.2 %)"; "keep …" where the bias in use is as good; where none is recommended, why.
 std::string advice_text(const BiasAdvice& advice);
 
 /// The bias in use, the recommended one, the plateau's ends, that of least error and the least with little or no acne,

@@ -67,7 +67,7 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
   const bool counts_pixels = plateau.is_by_pixels && tolerance.empty();
   const bool is_factor = plateau.least.mae > 0.0 && tolerance.empty();
   const std::string by_pixels = tolerance_text(true);
-  const std::string of_least = what + (least.empty() ? "" : ", " + least);
+  const std::string of_least = what + (least.empty() ? "" : " (" + least + ")");
   const std::string good =
       has_none ? (counts_pixels ? "at most " + by_pixels : "no " + what)
       : is_factor
@@ -91,7 +91,7 @@ const char* least_error_text(const BiasPlateau& plateau) {
 }
 
 std::string less_acne_text(const std::optional<BiasCell>& little, const std::string& little_text, bool is_swept) {
-  return little ? fmt::format("; from {}{} on acne is at most 0.1 %, with an error of {}",
+  return little ? fmt::format("; acne is at most 0.1 % from {}{} on, where the error is {}",
                               is_swept ? "the swept bias " : "", little_text, percent(little->mae))
                 : fmt::format("; acne is more than 0.1 % at every {}", is_swept ? "swept bias" : "bias");
 }

@@ -37,7 +37,7 @@ std::string good_error_text();
 /// What 'recommended' means, for tables.
 std::string rule_text();
 
-/// "2.2 to 18 texels have at most 1.05 times the least error, 0.271 %". The biases are in `unit`; `what` is "error" or
+/// "2.2 to 18 texels have at most 1.05 times the least error (0.271 %)". The biases are in `unit`; `what` is "error" or
 /// "cost", and `least` its least value as text, which may be empty. `only` begins the text of a single bias. Values of
 /// an axis that is given are printed as it has them. `tolerance` takes the place of tolerance_text().
 std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least,
@@ -51,7 +51,7 @@ const char* reason_text(const BiasPlateau& plateau, bool is_for_acne = false);
 /// " for the least error" where no bias of the range has little acne and a smaller one is in the range.
 const char* least_error_text(const BiasPlateau& plateau);
 
-/// "; from 2.5 texels on acne is at most 0.1 %, with an error of 2.29 %": beside a bias with more. `little` is the
+/// "; acne is at most 0.1 % from 2.5 texels on, where the error is 2.29 %": beside a bias with more. `little` is the
 /// smallest bias with so little acne, of the swept ones or of all, and `little_text` its text.
 std::string less_acne_text(const std::optional<BiasCell>& little, const std::string& little_text,
                            bool is_swept = false);

@@ -135,9 +135,9 @@ Table sensitivity_table(const TuneSummary& summary) {
             (summary.result.limit.is_by_pixels
                  ? fmt::format(" ({} of all counted pixels, which is more than 5 %)", chance_pixels)
                  : std::string()) +
-            ". Where a row names next measured values, the range ends between its values and them; without them its "
-            "ends "
-            "are exact" +
+            ". If a row gives next measured values, each true end lies between the printed end and the next measured "
+            "value; "
+            "if it gives none, the printed ends are exact" +
             (summary.goal.constraints.empty() ? "" : ". Values that break a constraint are outside")},
        {"highest cost", "", "cost on the measured values of the axis, the others as in the best point"}},
       {}};

@@ -212,7 +212,7 @@ class Keywords(TypedDict, total=False):
     ao_range_check: bool
     """fade out surfaces whose depth differs from the pixel's by more than the radius; true or false. Default: True."""
     ao_kernel: Literal['learnopengl', 'progressive']
-    """points of hemisphere SSAO: random as in Learn OpenGL, or a progressive sequence, of which more samples keep the points; learnopengl or progressive. Default: learnopengl."""
+    """points of hemisphere SSAO: random as in Learn OpenGL, or a progressive sequence: more samples keep the earlier points; learnopengl or progressive. Default: learnopengl."""
     ao_slices: int
     """GTAO and bitmask: slices per pixel; an integer from 1 to 256. Default: 3."""
     ao_steps: int

@@ -34,8 +34,8 @@ Parameters describe(AoKernelParams& params) {
   return Description("ao")
       .choice("kernel", params.kind, names,
               {.unit = {},
-               .meaning = "points of hemisphere SSAO: random as in Learn OpenGL, or a progressive sequence, of which "
-                          "more samples keep the points"})
+               .meaning = "points of hemisphere SSAO: random as in Learn OpenGL, or a progressive sequence: "
+                          "more samples keep the earlier points"})
       .take();
 }
 

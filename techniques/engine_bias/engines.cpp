@@ -353,7 +353,7 @@ std::vector<BiasEngine> other_engines() {
            "normalBias; a map that is not `stable` is warped, with texels of other sizes; version 1.53.4 ignores the "
            "normalBias that you set and uses normalBias = 1 (half a texel) for every sun: to find a constantBias for "
            "this version, run compare with --shadow.normal-offset 0.5",
-       .unverified = "the newest version, whose normalBias has another factor along each axis of the map",
+       .unverified = "the newest version, which scales normalBias by different factors along the map's x and y",
        .note_of_lamps =
            "normalBias and polygonOffsetSlope of spot and point lights have no formula here; a spot light's normalBias "
            "of 1 acts as 1.2 to 1.3 texels in 1.53.4",

@@ -149,7 +149,7 @@ TEST_F(Answers, Compare_begins_with_the_bias_to_use_and_a_run_with_it_has_that_e
   };
   const std::string out = compare("2mm", "used");
   EXPECT_TRUE(first_line(out).starts_with("lantern: use ")) << out;
-  EXPECT_NE(first_line(out).find(" have at most 3 wrong pixels more than the least error, "), std::string::npos)
+  EXPECT_NE(first_line(out).find(" have at most 3 wrong pixels more than the least error ("), std::string::npos)
       << "few are wrong: " << out;
   const Json advice = summary["shadows"][0]["recommended_bias"];
   const Json& recommended = advice["recommended"];

@@ -209,7 +209,7 @@ TEST_F(EngineRun, A_mask_from_a_file_gives_the_statistics_of_the_run_that_wrote_
   // Its bias is not ours to tune.
   const ProgramResult soft = run(evaluate(ours, {"--light.angle", "2"}), "soft");
   ASSERT_EQ(soft.exit_code, 0) << soft.err;
-  EXPECT_NE(soft.out.find(" against its soft shadow (2° across); "), std::string::npos) << soft.out;
+  EXPECT_NE(soft.out.find(" against the soft shadow of this light (2° across); "), std::string::npos) << soft.out;
   EXPECT_EQ(soft.out.find("bias"), std::string::npos) << soft.out;
 }
 

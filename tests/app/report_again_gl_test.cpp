@@ -90,7 +90,7 @@ TEST_F(ReportAgain, Of_two_runs_says_what_was_measured_and_with_which_technique)
     EXPECT_NE(page.find(technique), std::string::npos) << technique;
   }
   EXPECT_NE(page.find("All others are equal; the page of each run lists them"), std::string::npos);
-  EXPECT_EQ(page.find("another length"), std::string::npos);
+  EXPECT_EQ(page.find("a different length"), std::string::npos);
 }
 
 TEST_F(ReportAgain, Of_two_resolutions_says_that_a_bias_in_texels_is_another_length_in_each) {
@@ -108,7 +108,7 @@ TEST_F(ReportAgain, Of_two_resolutions_says_that_a_bias_in_texels_is_another_len
     EXPECT_EQ(run_program(words(report, {"-o", folder_ / (bias + "both")})).exit_code, 0);
     return text_of(folder_ / (bias + "both/index.html"));
   };
-  const char* text = "one bias in texels can be another length in another run.";
+  const char* text = "the same bias in texels can be a different length.";
   EXPECT_NE(page_of("1.5texels").find(text), std::string::npos);
   EXPECT_EQ(page_of("0.02").find(text), std::string::npos);
 }

@@ -123,7 +123,7 @@ TEST_F(Tune, Its_range_and_its_front_say_what_the_constraints_cut) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   expect_words(result.out,
                {"constant bias is, of those that keep the constraints, the smallest (to three digits) whose cost is",
-                "constant-bias (only biases that keep the constraints): ", " times the least cost of these, ",
+                "constant-bias (only biases that keep the constraints): ", " times the least cost of these (",
                 " %, but breaks a constraint that the best point keeps; "});
   expect_words(text_of(folder_ / "kept/index.html"),
                {"mean absolute error, the mean of 6 cases", "acne, the mean of 6 cases"});
@@ -366,7 +366,7 @@ TEST_F(Tune, Names_the_bias_that_compare_recommends_where_the_best_point_is_anot
   ASSERT_EQ(compared.find(start), 0u) << compared;
   const std::string bias = compared.substr(start.size(), compared.find(" (") - start.size());
   EXPECT_TRUE(bias.ends_with(" texels")) << bias;
-  EXPECT_NE(compared.find(" have at most 3 wrong pixels more than the least error, "), std::string::npos) << compared;
+  EXPECT_NE(compared.find(" have at most 3 wrong pixels more than the least error ("), std::string::npos) << compared;
   EXPECT_NE(text_of(folder_ / "compare/index.html").find("with at most 3 wrong pixels more than the least error"),
             std::string::npos);
   const std::string tuned = answer({"tune", "courtyard", "--vary", "shadow.constant-bias=0texels:8texels"});

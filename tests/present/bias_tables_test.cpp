@@ -58,7 +58,7 @@ TEST(BiasTables, Where_every_good_bias_leaves_acne_the_answer_names_the_first_th
   };
   EXPECT_NE(answer().find(": error 1.00 %, acne 0.200 %; "), std::string::npos) << answer();
   EXPECT_NE(
-      answer().find("; from the swept bias 5.3 cm (1.66 texels) on acne is at most 0.1 %, with an error of 1.25 %"),
+      answer().find("; acne is at most 0.1 % from the swept bias 5.3 cm (1.66 texels) on, where the error is 1.25 %"),
       std::string::npos)
       << answer();
   curve.optima.lines[0].little_acne.reset();
