@@ -135,7 +135,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> edge_mean
     {{"edge-displacement", "above 0 shadows are larger than in REFERENCE"},
      {"edge-roughness", "how unevenly TEST's edges run along those of REFERENCE"},
      {"edge-width", "above 0 edges are softer"},
-     {"edges-found", "share of REFERENCE's edge points that TEST has, too"}}};
+     {"edges-found", "of the edge points with a full transition in REFERENCE, the share with one in TEST, too"}}};
 
 // One line for all metrics with the same details.
 std::vector<std::string> details_lines(const std::vector<Measured>& all) {
@@ -321,10 +321,9 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
   }
   if (!edges.empty()) {
     add_line(console, edges);
-    add_line(console,
-             fmt::format("edge points count where both images have a full transition; for edge-roughness, on "
-                         "edges with at least {} such points. The maps of edges have one value at each of these",
-                         fewest_edge_points));
+    add_line(console, fmt::format("edge points count where both images have a full transition; for edge-roughness, on "
+                                  "edges with at least {} such points",
+                                  fewest_edge_points));
   }
   if (misaligned) print_line(console, to_text(*misaligned));
   if (finds_few_edges(all)) add_line(console, few_edges);

@@ -227,9 +227,8 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
                   (part.few_blocks > 0 ? ": " + few_blocks_text(part.few_blocks) : std::string()) + ".";
     if (part.has_noise) {
       section.text +=
-          " Noise of the rays can only raise an absolute error, so that the true one may be lower. To cover it too, "
-          "the ± of "
-          "each error and each difference is widened, by the same amount up and down.";
+          " Noise of the rays raises absolute errors, so that the true one may be lower than the value shown. The ± of "
+          "these and of their differences is enlarged by what noise may have added, up and down alike.";
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=

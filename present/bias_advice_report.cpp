@@ -91,11 +91,11 @@ ReportTable advice_table(const BiasAdvice& advice) {
   };
   Table table{{{"constant bias", "", "all other parameters as in this run"},
                {"along the light", on_average("m", is_in_metres),
-                "length along the light; a bias in texels is shown at their mean size"},
+                "length along the light; texels are converted at the mean texel size"},
                {"in texels", on_average("texels", advice.unit == LengthUnit::texels),
-                "multiple of the texel size at each receiver; a bias in metres is shown at the mean texel size"},
+                "multiple of the texel size at each receiver; metres are converted at the mean texel size"},
                {"in depth", on_average("1", advice.unit == LengthUnit::map_depth),
-                "of the depth that the map stores, from 0 to 1"},
+                "share of the depth that the map stores, from 0 to 1"},
                {"error", "%", "mean absolute error of visibility"}},
               {}};
   for (std::size_t c = 0; c < cause_count; ++c) {

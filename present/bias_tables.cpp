@@ -71,7 +71,7 @@ Table choices_table(const BiasCurves& curves) {
            (curves.varies_slope ? ", at the slope-scaled bias nearest to 0" : "")},
       {"constant bias", "m", "along the light"},
       {"in texels", "texels",
-       "multiple of the texel size at each receiver; a bias in metres is shown at the mean texel size"},
+       "multiple of the texel size at each receiver; metres are converted at the mean texel size"},
       {"in depth", "1", "constant bias in the depth that the map stores, from 0 to 1"},
       {"slope bias", "texels", "slope-scaled bias"},
       {"error", "%", "mean absolute error of visibility"},

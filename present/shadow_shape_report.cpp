@@ -101,8 +101,7 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
   std::ranges::stable_sort(listed, std::greater(), size_of);
   if (listed.size() > max_casters) listed.resize(max_casters);
   const std::string gap =
-      "lit strip between the foot of the caster and its shadow, at most as long as the shadow of "
-      "the reference, ";
+      "length of the lit strip between the foot of the caster and its shadow, at most that of the reference's shadow; ";
   const std::string inset =
       "how far the outline of the shadow lies inside that of the reference; negative: outside; median of the matched "
       "edges";
@@ -176,9 +175,9 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   figure.title = "Distance of errors from shadow edges: " + title;
   const char* part = shape.components ? "each cause's error" : "the too dark error, and how much of the too bright,";
   const char* reasons =
-      shape.components ? "Most aliasing lies within one or two texels of an edge, or in the pixels beside it where "
-                         "texels are smaller than pixels; a filter blurs edges over its width, and acne may lie far "
-                         "from any edge."
+      shape.components
+          ? "As a rule aliasing lies within one or two texels of an edge, or in the pixels beside it where "
+            "texels are smaller than pixels; a filter blurs edges over its width, and acne may lie far from any edge."
       : is_soft
           ? "Errors of a cast penumbra lie no farther from an edge than the penumbra is wide; if it is narrower than a "
             "pixel, they lie in the pixels beside the edge. A filter adds its width. Self-shadowing, light leak and "

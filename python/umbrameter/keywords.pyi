@@ -42,11 +42,11 @@ class Keywords(TypedDict, total=False):
     shadow_cascade_bias: str
     """factors of the constant bias in the cascades, '1,2,4', or own-range: a bias in 'depth' is a share of each cascade's own depth range; text."""
     shadow_split_range: Literal['seen', 'camera']
-    """depths that the cascades divide: those seen, or near plane to shadow.max-distance; seen or camera. Default: seen."""
+    """depths that the cascades divide: seen: those seen, camera: near plane to max-distance; seen or camera. Default: seen."""
     shadow_max_distance: float
     """with split-range camera: farthest depth that the cascades divide [m]; a number from 1e-06 to 1e+12. Default: 100.0."""
     shadow_fit: Literal['scene', 'view', 'bounds']
-    """area of a directional light's only map or last cascade; scene, view or bounds. Default: scene."""
+    """area of a directional light's map; with cascades, of the last one; scene, view or bounds. Default: scene."""
     shadow_fit_x: float
     """with fit bounds: centre of the area, in the world [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_fit_y: float
@@ -94,9 +94,9 @@ class Keywords(TypedDict, total=False):
     shadow_dual_offset: float
     """dual: how far behind the nearest surface the stored depth lies at most [m]; a number from 0 to 1e+12. Default: 0.02."""
     shadow_polygon_offset_factor: float
-    """hardware polygon offset: times the depth's slope per texel; a number from -1e+12 to 1e+12. Default: 0.0."""
+    """hardware polygon offset: this number times the depth's slope per texel; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_polygon_offset_units: float
-    """hardware polygon offset: times the unit of the format, which is measured [units]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    """hardware polygon offset: this number times the unit of the map's format, which is measured [units]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_caster_offset: float
     """moves the vertices of casters against their normals, times the profile [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_caster_offset_metres: float

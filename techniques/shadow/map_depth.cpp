@@ -75,9 +75,10 @@ Parameters describe(MapDepthParams& params) {
           "dual-offset", params.dual_offset,
           {.unit = "m", .meaning = "dual: how far behind the nearest surface the stored depth lies at most", .min = 0})
       .field("polygon-offset-factor", params.polygon_offset_factor,
-             {.unit = "1", .meaning = "hardware polygon offset: times the depth's slope per texel"})
+             {.unit = "1", .meaning = "hardware polygon offset: this number times the depth's slope per texel"})
       .field("polygon-offset-units", params.polygon_offset_units,
-             {.unit = "units", .meaning = "hardware polygon offset: times the unit of the format, which is measured"})
+             {.unit = "units",
+              .meaning = "hardware polygon offset: this number times the unit of the map's format, which is measured"})
       .field("caster-offset", params.caster_offset.texels,
              {.unit = "texels", .meaning = "moves the vertices of casters against their normals, times the profile"})
       .field("caster-offset-metres", params.caster_offset.metres,

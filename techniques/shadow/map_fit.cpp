@@ -39,16 +39,16 @@ Parameters describe(MapFitParams& params) {
              {.unit = {},
               .meaning = "factors of the constant bias in the cascades, '1,2,4', or own-range: a bias in 'depth' is a "
                          "share of each cascade's own depth range"})
-      .choice(
-          "split-range", params.split_range, split_range_names,
-          {.unit = {}, .meaning = "depths that the cascades divide: those seen, or near plane to shadow.max-distance"})
+      .choice("split-range", params.split_range, split_range_names,
+              {.unit = {},
+               .meaning = "depths that the cascades divide: seen: those seen, camera: near plane to max-distance"})
       .field("max-distance", params.max_distance,
              {.unit = "m",
               .meaning = "with split-range camera: farthest depth that the cascades divide",
               .min = 1e-6,
               .max = 1e12})
       .choice("fit", params.fit, map_fit_names,
-              {.unit = {}, .meaning = "area of a directional light's only map or last cascade"})
+              {.unit = {}, .meaning = "area of a directional light's map; with cascades, of the last one"})
       .field("fit-x", params.fit_x, {.unit = "m", .meaning = "with fit bounds: centre of the area, in the world"})
       .field("fit-y", params.fit_y, {.unit = "m", .meaning = "with fit bounds: centre of the area, in the world"})
       .field("fit-z", params.fit_z, {.unit = "m", .meaning = "with fit bounds: centre of the area, in the world"})
