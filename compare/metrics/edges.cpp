@@ -23,10 +23,10 @@ MetricResult measure_points(const MetricInput& input, const std::vector<EdgePoin
     map[points[i].pixel] = static_cast<float>(values[i]);
   }
   MetricResult result = mean_of_map(std::move(map), [](std::size_t) { return true; });
-  result.details = {{"edge points", static_cast<double>(points.size())},
+  result.details = {{"edge points of the reference", static_cast<double>(points.size())},
                     {edges_in_both, found / static_cast<double>(points.size())},
-                    {"their mean width in the test image [px]", width / found},
-                    {"their mean width in the reference [px]", reference_width / found}};
+                    {"mean width of the edge there, in the test image [px]", width / found},
+                    {"mean width of the edge there, in the reference [px]", reference_width / found}};
   return result;
 }
 

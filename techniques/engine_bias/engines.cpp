@@ -362,7 +362,7 @@ std::vector<BiasEngine> other_engines() {
       {.name = "stride",
        .title = "Stride",
        .source = "ShadowMapReceiverBase.sdsl @3e83da5, LightShadowMap.cs (defaults)",
-       .numbers = {{"DepthBias", "of its depth range", 0.01, BiasTerm::constant,
+       .numbers = {{"DepthBias", "of the map's depth range", 0.01, BiasTerm::constant,
                     [](const Place& p, const Settings&) { return of_sun(p, p.range); }, "R",
                     "shadow.BiasParameters.DepthBias = {}f;"},
                    {"NormalOffsetScale",
