@@ -228,7 +228,7 @@ Report make_report(const fs::path& page, const std::vector<StoredRun>& runs, con
     if (part.has_noise) {
       section.text +=
           " Noise of the rays raises absolute errors, so that the true one may be lower than the value shown. The ± of "
-          "these and of their differences is enlarged by what noise may have added, up and down alike.";
+          "an absolute error, and of a difference of two, includes what noise may have added.";
     }
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=

@@ -130,7 +130,9 @@ Table formulas_table(const BiasCurves& curves) {
 
 std::vector<std::string> warnings_of(const CurveFormula& of) { return of.warnings; }
 std::vector<std::string> refused_of(const CurveFormula& of) {
-  return of.formula ? of.formula->refused : std::vector<std::string>();
+  std::vector<std::string> reasons = of.formula ? of.formula->refused : std::vector<std::string>();
+  for (std::string& reason : reasons) reason.insert(0, "no term for ");
+  return reasons;
 }
 
 // Each different remark on these formulas once, with the formulas that it is about.
@@ -364,7 +366,7 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     if (const std::string ranges = ranges_of(formulas); !ranges.empty())
       section.text += "\n\n" + sentence(ranges) + ".";
     for (const std::string& reason : remarks_on(formulas, refused_of))
-      section.text += "\n\nLeft out of the " + reason + ".";
+      section.text += "\n\n" + sentence(at + reason) + ".";
     for (const std::string& warning : remarks_on(formulas, warnings_of)) {
       section.text += "\n\nWarning: " + at + warning + ".";
     }

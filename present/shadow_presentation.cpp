@@ -194,7 +194,8 @@ std::string agreement_text(const ClassAgreement& agreement) {
   if (agreement.on_own_layer > 0) {
     text += fmt::format(
         " By ray tests {} of the peter-panning is light leak: where these taps read the map, it holds the receiver's "
-        "own surface and no occluder. They are counted as peter-panning all the same.",
+        "own surface and no occluder. They still count as peter-panning: in a sweep this test would take too many "
+        "rays; a single run counts the same way.",
         percent(share_on_own_layer(agreement)));
   }
   return text;

@@ -112,13 +112,13 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
        {"without shadow", "px",
         "contacts where the technique shows none of the reference's shadow; the gap is then as long as that shadow"},
        {"median contact gap", "m", gap + "median"},
-       {"median contact gap", "texels", gap + "median"},
+       {"median contact gap", "texels", gap + "median of the part perpendicular to the light"},
        {"median contact gap", "px", gap + "median"},
        {"largest gap", "m", gap + "largest"},
        {"matched edges", "px", "edges of the reference shadow near which the technique has one, too"},
        {"without match", "px", "edges of the reference shadow near which the technique has none"},
        {"median shadow inset", "m", inset},
-       {"median shadow inset", "texels", inset},
+       {"median shadow inset", "texels", inset + ", perpendicular to the light"},
        {"median shadow inset", "px", inset}},
       {}};
   for (const CasterShape& caster : listed) {

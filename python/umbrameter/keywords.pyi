@@ -58,7 +58,7 @@ class Keywords(TypedDict, total=False):
     shadow_fit_depth: float
     """with fit bounds: depth range of the area about its centre; 0: the scene's [m]; a number from 0 to 1e+12. Default: 0.0."""
     shadow_cascade_fit: Literal['tight', 'stable', 'boxes']
-    """area of a cascade: around what is seen, the frustum in whole texels, or the frustum within the boxes of objects; tight, stable or boxes. Default: tight."""
+    """area of a cascade; tight: around what is seen, stable: around the camera's frustum, moved in whole texels, boxes: around the frustum within the boxes of objects; tight, stable or boxes. Default: tight."""
     shadow_cascade_selection: Literal['map', 'depth']
     """cascade of a receiver: the first that contains it, or by its view depth; map or depth. Default: map."""
     shadow_cascade_blend: float
@@ -382,7 +382,7 @@ class Keywords(TypedDict, total=False):
     truth_light_sampling: Literal['area', 'solid-angle']
     """visibility of an area light: visible share of its area or of its solid angle; area or solid-angle. Default: area."""
     truth_shadow: Literal['point', 'pixel', 'light']
-    """reference of shadows: 0 or 1 at the pixel's centre, mean over the pixel, or share of an area light; point, pixel or light. Default: light."""
+    """reference of shadows; light: visible share of a light, 0 or 1 of one without extent; point: 0 or 1 of every light; pixel: mean over the pixel; point, pixel or light. Default: light."""
     run_seed: int
     """seed of all random numbers; an integer from 0 to 2147483647. Default: 1."""
     run_classes: Literal['fast', 'exact']

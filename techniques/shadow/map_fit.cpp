@@ -61,10 +61,11 @@ Parameters describe(MapFitParams& params) {
              {.unit = "m",
               .meaning = "with fit bounds: depth range of the area about its centre; 0: the scene's",
               .min = 0})
-      .choice("cascade-fit", params.cascade_fit, cascade_fit_names,
-              {.unit = {},
-               .meaning = "area of a cascade: around what is seen, the frustum in whole texels, or the frustum within "
-                          "the boxes of objects"})
+      .choice(
+          "cascade-fit", params.cascade_fit, cascade_fit_names,
+          {.unit = {},
+           .meaning = "area of a cascade; tight: around what is seen, stable: around the camera's frustum, moved in "
+                      "whole texels, boxes: around the frustum within the boxes of objects"})
       .choice("cascade-selection", params.selection, cascade_selection_names,
               {.unit = {}, .meaning = "cascade of a receiver: the first that contains it, or by its view depth"})
       .field("cascade-blend", params.blend,

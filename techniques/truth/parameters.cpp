@@ -60,9 +60,10 @@ Parameters describe(TruthParams& params) {
               {"", "further AO images: mean unoccluded direction, mean hit distance"})
       .choice("light-sampling", params.light_sampling, samplings,
               {"", "visibility of an area light: visible share of its area or of its solid angle"})
-      .choice(
-          "shadow", params.shadow, shadows,
-          {"", "reference of shadows: 0 or 1 at the pixel's centre, mean over the pixel, or share of an area light"})
+      .choice("shadow", params.shadow, shadows,
+              {"",
+               "reference of shadows; light: visible share of a light, 0 or 1 of one without extent; point: 0 or 1 of "
+               "every light; pixel: mean over the pixel"})
       .take();
 }
 
