@@ -132,9 +132,9 @@ constexpr const char* weighted_meaning =
     "weighted quartiles); '-' where the map has values below 0. 99 % of pixels: the value that they do not exceed";
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> edge_meanings{
-    {{"edge-displacement", "above 0 shadows are larger than in REFERENCE"},
+    {{"edge-displacement", "above 0 shadows are larger than in REFERENCE, below 0 smaller, as on its map"},
      {"edge-roughness", "how unevenly TEST's edges run along those of REFERENCE"},
-     {"edge-width", "above 0 edges are softer"},
+     {"edge-width", "above 0 edges are softer, below 0 sharper, as on its map"},
      {"edges-found", "of the edge points with a full transition in REFERENCE, the share with one in TEST, too"}}};
 
 // One line for all metrics with the same details.

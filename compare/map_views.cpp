@@ -124,9 +124,9 @@ Statistics describe(SeamStatistics& s) {
   return StatisticsDescription()
       .field("pixels", s.pixels, "px",
              fmt::format(
-                 "counted pixels near the border of the view that they look up, compared with the view beside it: in "
-                 "the outer {:g} % of a cascade's extent, where the next one holds them, too, or within a texel "
-                 "of the edge of a cube face or paraboloid",
+                 "counted pixels near a seam, looked up in the views on its two sides: those in the outer {:g} % of a "
+                 "cascade's extent that the next one holds, too, or within a texel of the edge of a cube face or "
+                 "paraboloid",
                  100.0 * seam_zone))
       .field("share", s.share, "1", "share of all counted pixels")
       .field("mean_difference", s.mean_difference, "1", "mean |difference of visibility| between the two views")

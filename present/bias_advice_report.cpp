@@ -124,10 +124,12 @@ ReportTable advice_table(const BiasAdvice& advice) {
   if (advice.line.acne_free) add_row(formula_names[2], *advice.line.acne_free);
   ReportTable biases{"Recommended bias", std::move(table), {"in texels", "in depth"}};
   if (is_kept) {
+    const std::string larger =
+        advice.line.little_acne ? fmt::format(": that of the row '{}' is larger", formula_names[1]) : "";
     biases.remarks.push_back("The bias of this run is kept: its " + good_error_text() +
                              (advice.used.acne <= little_acne_share
                                   ? ", and its acne is at most 0.1 %."
-                                  : ", and no bias with such an error has acne of at most 0.1 %."));
+                                  : ", and no bias with such an error has acne of at most 0.1 %" + larger + "."));
   } else if (!advice.withheld) {
     biases.remarks.push_back(rule_text());
   }

@@ -55,8 +55,8 @@ std::string ao_radius_text(const AoParams& params);
 
 /// Why an absolute error against a sampled reference may have a range.
 inline constexpr const char* noise_note =
-    " Noise in the reference can only raise a mean absolute error. Where that matters, the error is given as a range, "
-    "whose lower end is corrected for this noise.";
+    " Noise in the reference can only raise a mean absolute error. Where it may have, the error is given as a range, "
+    "whose lower end allows for the most that noise may have added.";
 
 /// The limit of the mean absolute error against a hard shadow, for pages that compare filters.
 inline constexpr const char* filter_caution =

@@ -101,7 +101,8 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
   std::ranges::stable_sort(listed, std::greater(), size_of);
   if (listed.size() > max_casters) listed.resize(max_casters);
   const std::string gap =
-      "length of the lit strip between the foot of the caster and its shadow, at most that of the reference's shadow; ";
+      "length of the lit strip between the foot of the caster and its shadow; not beyond the end of the reference's "
+      "shadow; ";
   const std::string inset =
       "how far the outline of the shadow lies inside that of the reference; negative: outside; median of the matched "
       "edges";

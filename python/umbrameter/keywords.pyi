@@ -382,7 +382,7 @@ class Keywords(TypedDict, total=False):
     truth_light_sampling: Literal['area', 'solid-angle']
     """visibility of an area light: visible share of its area or of its solid angle; area or solid-angle. Default: area."""
     truth_shadow: Literal['point', 'pixel', 'light']
-    """reference of shadows; light: visible share of a light, 0 or 1 of one without extent; point: 0 or 1 of every light; pixel: mean over the pixel; point, pixel or light. Default: light."""
+    """reference of shadows; light: visible share of the light, or 0 or 1 if it has no extent; point: 0 or 1, as if it had none; pixel: mean over the pixel; point, pixel or light. Default: light."""
     run_seed: int
     """seed of all random numbers; an integer from 0 to 2147483647. Default: 1."""
     run_classes: Literal['fast', 'exact']

@@ -62,8 +62,8 @@ Parameters describe(TruthParams& params) {
               {"", "visibility of an area light: visible share of its area or of its solid angle"})
       .choice("shadow", params.shadow, shadows,
               {"",
-               "reference of shadows; light: visible share of a light, 0 or 1 of one without extent; point: 0 or 1 of "
-               "every light; pixel: mean over the pixel"})
+               "reference of shadows; light: visible share of the light, or 0 or 1 if it has no extent; point: 0 or "
+               "1, as if it had none; pixel: mean over the pixel"})
       .take();
 }
 
