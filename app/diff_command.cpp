@@ -132,10 +132,21 @@ constexpr const char* weighted_meaning =
     "weighted quartiles); '-' where the map has values below 0. 99 % of pixels: the value that they do not exceed";
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> edge_meanings{
-    {{"edge-displacement", "above 0 shadows are larger than in REFERENCE, below 0 smaller, as on its map"},
+    {{"edge-displacement", "above 0 shadows are larger than in REFERENCE, below 0 smaller (score and map)"},
      {"edge-roughness", "how unevenly TEST's edges run along those of REFERENCE"},
-     {"edge-width", "above 0 edges are softer, below 0 sharper, as on its map"},
+     {"edge-width", "above 0 edges are softer, below 0 sharper (score and map)"},
      {"edges-found", "of the edge points with a full transition in REFERENCE, the share with one in TEST, too"}}};
+
+// A figure has other pixels than those that were measured.
+std::string figure_warning(const char* name, const std::filesystem::path& file) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  const std::filesystem::path images = folder.parent_path() / "images.exr";
+  if (folder.filename() != "figures" || !std::filesystem::exists(images)) return "";
+  return fmt::format(
+      "warning: {} is a figure of a run, enlarged and with its scale: for the pixels that were measured use {} with "
+      "--layer, such as --layer {}",
+      name, std::filesystem::proximate(images).string(), file.stem().string());
+}
 
 // One line for all metrics with the same details.
 std::vector<std::string> details_lines(const std::vector<Measured>& all) {
@@ -326,6 +337,9 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
                                   fewest_edge_points));
   }
   if (misaligned) print_line(console, to_text(*misaligned));
+  for (const auto& [name, file] : {std::pair{"TEST", diff.test}, {"REFERENCE", diff.reference}}) {
+    if (const std::string warning = figure_warning(name, file); !warning.empty()) print_line(console, warning);
+  }
   if (finds_few_edges(all)) add_line(console, few_edges);
   for (const std::string& text : details_lines(all)) add_line(console, text);
   if (!line.output.empty()) {

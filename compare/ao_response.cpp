@@ -115,7 +115,8 @@ void add_up(const Pixel& pixel, std::span<const float> accessibilities, double* 
   const double deviation = pixel.deviation;
   for (std::size_t t = 0; t < tones; ++t) {
     const double certain = std::max(errors[t] - reach, 0.0);
-    out[excess * tones + t] = deviation * table(certain * steps) - open[excess];
+    const double added = std::min(deviation * table(certain * steps), most_excess(static_cast<double>(ao[t])));
+    out[excess * tones + t] = added - open[excess];
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "compare/error_sums.h"
 #include "core/math.h"
@@ -59,6 +60,8 @@ void add_part(PartSums& part, double error, double variance, const NoiseBound& n
 }
 
 ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double negligible = 0.01;  // of the noise: a technique that shows all or nothing but for rounding
   ErrorSums sums;
   const double reach = noise_reach(truth.degrees_of_freedom);
   for (int x = 0; x < raster.width; ++x) {
@@ -72,11 +75,13 @@ ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, 
     sums.truth += truth.value[i];
     sums.error += error;
     sums.absolute += std::abs(error);
-    sums.absolute_bias += folded_excess(std::max(std::abs(error) - reach * s, 0.0), s);
+    const double most = truth.is_share ? most_excess(static_cast<double>(raster[i])) : infinity;
+    sums.absolute_bias += std::min(folded_excess(std::max(std::abs(error) - reach * s, 0.0), s), most);
     sums.squared += error * error;
     sums.squared_noise += error * error * variance;
     sums.variance += variance;
-    const NoiseBound noise = noise_bound(error, s, truth.degrees_of_freedom);
+    // The measured error decides elsewhere: the less of the two bounds would, on average, be too little.
+    const NoiseBound noise = most < negligible * s ? NoiseBound{most} : noise_bound(error, s, truth.degrees_of_freedom);
     add_part(sums.too_bright, error, variance, noise);
     add_part(sums.too_dark, -error, variance, {noise.value, -noise.slope});
     sums.variance_squared += variance * variance;
@@ -121,6 +126,8 @@ double folded_excess(double e, double s) {
   const double r = std::abs(e) / s;
   return s * (std::sqrt(2.0 / pi) * std::exp(-0.5 * r * r) - r * std::erfc(r / std::sqrt(2.0)));
 }
+
+double most_excess(double raster) { return 2.0 * std::max(std::min(raster, 1.0 - raster), 0.0); }
 
 double noise_reach(int degrees_of_freedom) { return student_95(degrees_of_freedom); }
 

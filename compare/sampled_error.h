@@ -24,7 +24,7 @@ struct SampledError {
   Estimate mean_truth;
   Estimate mean_error;  ///< raster − truth: below 0 too dark, above 0 too bright
   /// Mean |raster − truth|. Noise of the truth can only raise it; the lower bound allows for it, but is not below the
-  /// size that mean_error has at least.
+  /// size that mean_error has at least. Noise adds nothing to the error of a share where raster is 0 or 1.
   Estimate mae;
   /// The most that noise of the truth may have added to mae, but for chance; to too_dark and too_bright half as much.
   double mae_noise = 0.0;
@@ -44,6 +44,7 @@ struct SampledImage {
   const Image<float>& variance;  ///< unbiased estimate of each value's variance; empty if all values are exact
   const Image<float>& samples;   ///< rays of each pixel; 0 if its value is exact; empty if all values are exact
   int degrees_of_freedom = 0;    ///< of each pixel's variance
+  bool is_share = true;          ///< of light or of directions: no sample lies outside 0 to 1
 };
 
 /// Whether the pixel with this index counts. Called from any thread.

@@ -124,12 +124,16 @@ ReportTable advice_table(const BiasAdvice& advice) {
   if (advice.line.acne_free) add_row(formula_names[2], *advice.line.acne_free);
   ReportTable biases{"Recommended bias", std::move(table), {"in texels", "in depth"}};
   if (is_kept) {
-    const std::string larger =
-        advice.line.little_acne ? fmt::format(": that of the row '{}' is larger", formula_names[1]) : "";
+    std::string above;
+    if (const auto& cell = advice.line.little_acne) {
+      const bool looks_equal = share_text(cell->mae) == share_text(advice.plateau.last.mae);
+      above = fmt::format(": the error in the row '{}' is above this limit{}", formula_names[1],
+                          looks_equal ? ", by less than its last digit" : "");
+    }
     biases.remarks.push_back("The bias of this run is kept: its " + good_error_text() +
                              (advice.used.acne <= little_acne_share
                                   ? ", and its acne is at most 0.1 %."
-                                  : ", and no bias with such an error has acne of at most 0.1 %" + larger + "."));
+                                  : ", and no bias with such an error has acne of at most 0.1 %" + above + "."));
   } else if (!advice.withheld) {
     biases.remarks.push_back(rule_text());
   }

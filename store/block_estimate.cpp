@@ -75,7 +75,8 @@ struct PixelValues {
   double truth = 0.0;
   double raster = 0.0;
   double variance = 0.0;
-  std::array<double, cause_count> causes{};  // parts of the absolute error
+  std::array<double, cause_count> causes{};                      // parts of the absolute error
+  double most_excess = std::numeric_limits<double>::infinity();  // that noise may have added to the absolute error
 };
 
 PixelValues values_at(const StoredImages& images, std::size_t i) {
@@ -90,6 +91,7 @@ PixelValues values_at(const StoredImages& images, std::size_t i) {
     const double of_one_tap = static_cast<long>(c) == main_cause ? std::abs(values.error) : 0.0;
     values.causes[c] = images.causes[c] != nullptr ? value(images.causes[c]) : of_one_tap;
   }
+  if (images.raster != nullptr) values.most_excess = most_excess(values.raster);  // a share, unlike a shaded image
   return values;
 }
 
@@ -107,7 +109,8 @@ struct PixelMean {
 // The most that noise may have added to a pixel's term. mean.of_excess must not be null.
 double excess_of(const PixelMean& mean, const PixelValues& values, double reach) {
   const double s = std::sqrt(values.variance);
-  return mean.of_excess(values) * folded_excess(std::max(std::abs(values.error) - reach * s, 0.0), s);
+  const double excess = folded_excess(std::max(std::abs(values.error) - reach * s, 0.0), s);
+  return mean.of_excess(values) * std::min(excess, values.most_excess);
 }
 
 template <Cause cause>

@@ -23,7 +23,7 @@ MetricResult measure_points(const MetricInput& input, const std::vector<EdgePoin
     map[points[i].pixel] = static_cast<float>(values[i]);
   }
   MetricResult result = mean_of_map(std::move(map), [](std::size_t) { return true; });
-  result.details = {{"edge points of the reference", static_cast<double>(points.size())},
+  result.details = {{edges_of_reference, static_cast<double>(points.size())},
                     {edges_in_both, found / static_cast<double>(points.size())},
                     {"mean width of the edge there, in the test image [px]", width / found},
                     {"mean width of the edge there, in the reference [px]", reference_width / found}};
@@ -108,13 +108,19 @@ MetricResult measure_width(const MetricInput& input) {
 MetricResult measure_found(const MetricInput& input) {
   Image<float> map(input.reference.width, input.reference.height, std::numeric_limits<float>::quiet_NaN());
   const MetricInput itself{input.reference, input.reference, input.is_counted};
-  for (const EdgePoint& point : find_edge_points(itself)) {
+  const std::vector<EdgePoint> all = find_edge_points(itself);
+  for (const EdgePoint& point : all) {
     if (point.is_found) map[point.pixel] = 0.0f;
   }
   for (const EdgePoint& point : find_edge_points(input)) {
     if (point.is_found && !std::isnan(map[point.pixel])) map[point.pixel] = 1.0f;
   }
-  return mean_of_map(std::move(map), [](std::size_t) { return true; });
+  MetricResult result = mean_of_map(std::move(map), [](std::size_t) { return true; });
+  const auto clear = std::ranges::count_if(all, &EdgePoint::is_found);
+  result.details = {{edges_of_reference, static_cast<double>(all.size())},
+                    {"share of these with a full transition in the reference",
+                     static_cast<double>(clear) / static_cast<double>(all.size())}};
+  return result;
 }
 
 // In the order of LengthFactors.

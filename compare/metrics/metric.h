@@ -101,7 +101,8 @@ extern const Metric edge_width_metric;
 extern const Metric edges_found_metric;
 /// Points of an edge that has a roughness.
 inline constexpr std::size_t fewest_edge_points = 8;
-/// A detail of the metrics of edges: their mean is over the points with a full transition in both images.
+/// Details of the metrics of edges, whose mean is over the points with a full transition in both images.
+inline constexpr const char* edges_of_reference = "edge points of the reference";
 inline constexpr const char* edges_in_both = "share of these that counts";
 extern const Metric ldr_flip_metric;
 extern const Metric hdr_flip_metric;

@@ -100,7 +100,7 @@ class Images {
     const Image<float> exact_gbuffer = replaced(with_exact_gbuffer_, ambient(exact_, exact_ao));
     const Image<float> truth = luminance(*measurement.truth, exposure);
     const ImageErrorInput input{raster,
-                                {truth, variance_, samples_, degrees_of_freedom_},
+                                {truth, variance_, samples_, degrees_of_freedom_, false},
                                 {&true_shadows, &true_occlusion, &exact_gbuffer, &same_inputs},
                                 edge_distance_,
                                 exact_};

@@ -118,7 +118,7 @@ std::string offset_difference(const OffsetKind& kind, const OffsetKind& other) {
                                                          : "moves the caster inwards (not the receiver)");
   }
   if (kind.profile != other.profile)
-    parts.push_back("has a length that is " + std::string(length_text(kind.profile)) + " (not " +
+    parts.push_back("has a length along the normal that is " + std::string(length_text(kind.profile)) + " (not " +
                     length_text(other.profile) + ")");
   if (kind.direction != other.direction) {
     parts.emplace_back(kind.direction == OffsetDirection::normal ? "has a component in the direction of the light"

@@ -114,6 +114,31 @@ TEST(Diff, Says_that_a_file_with_layers_has_others_and_that_edges_need_a_mask) {
   EXPECT_NE(run_program({"diff", black, step, "--metrics", "edge-displacement"}).out.find(few), std::string::npos);
 }
 
+TEST(Diff, Warns_that_a_figure_of_a_run_has_other_pixels_than_were_measured) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "figures");
+  const std::string step = folder.write("figures/raster_ao.png", step_png(32));
+  EXPECT_EQ(run_program({"diff", step, step}).out.find("warning"), std::string::npos) << "no run";
+  folder.write("images.exr", "");
+  const std::string out = run_program({"diff", step, step}).out;
+  EXPECT_NE(out.find("warning: TEST is a figure of a run"), std::string::npos) << out;
+  EXPECT_NE(out.find("images.exr with --layer, such as --layer raster_ao"), std::string::npos) << out;
+}
+
+TEST(Diff, Counts_the_edge_points_with_a_full_transition) {
+  const TemporaryFolder folder;
+  // In the upper half from black to white, in the lower half to a grey that a full transition does not end at.
+  Image<glm::u8vec3> image(64, 64);
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 32; x < 64; ++x) image.at(x, y) = glm::u8vec3(y < 32 ? 255 : 200);
+  }
+  const std::string step = folder.write("step.png", to_png(image));
+  const Json found = diff_json({step, step, "--metrics", "edges-found"})["metrics"]["edges-found"];
+  EXPECT_EQ(found["score"], 1.0);
+  EXPECT_EQ(found["edge points of the reference"], 64.0);
+  EXPECT_EQ(found["share of these with a full transition in the reference"], 0.5);
+}
+
 TEST(Diff, Says_which_colour_space_it_assumed) {
   const TemporaryFolder folder;
   const std::string grey = folder.write("grey.png", png_bytes(1, 1, 16, 0, std::string("\0\xbc\xbc", 3)));

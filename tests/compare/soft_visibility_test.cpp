@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compare/error_sums.h"
 #include "core/random.h"
 #include "experiments/settings/sweep.h"
 #include "row_check.h"
@@ -230,6 +231,44 @@ TEST(SoftVisibility, The_penumbra_and_its_error_do_not_depend_on_the_number_of_r
     EXPECT_NEAR(error_held, 0.95 * seeds, 0.045 * seeds) << rays;
     EXPECT_NEAR(mean, weight / Ramp::width, 4.0 * std::sqrt(squares / seeds)) << rays;
     EXPECT_NEAR(mean_error, error / weight, 4.0 * std::sqrt(error_squares / seeds)) << rays;
+  }
+}
+
+TEST(SoftVisibility, Noise_adds_nothing_to_the_error_of_a_technique_that_shows_all_or_nothing) {
+  double answer = 0.0;
+  for (int x = 0; x < Ramp::width; ++x) {
+    answer += std::min(Ramp::visibility(x), 1.0 - Ramp::visibility(x)) / Ramp::width;
+  }
+  constexpr int seeds = 200;
+  int held = 0;
+  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    const SoftVisibilityStatistics s = Ramp::measure(seed, 64);
+    held += holds(s.error.mae, answer) ? 1 : 0;
+    for (const Estimate& part : {s.error.mae, s.error.too_dark, s.error.too_bright}) {
+      EXPECT_NEAR(part.value - part.lower, part.upper - part.value, 1e-9);
+    }
+    EXPECT_EQ(s.error.mae_noise, 0.0);
+    EXPECT_EQ(s.penumbra_noise, 0.0);
+  }
+  EXPECT_NEAR(held, 0.95 * seeds, 0.045 * seeds);
+}
+
+TEST(SoftVisibility, Noise_adds_at_most_twice_the_distance_from_all_or_nothing) {
+  // E |x − k/n| of k hits of n rays, from the binomial distribution, less |x − v|.
+  for (const int rays : {1, 2, 5, 16}) {
+    for (int i = 0; i <= 40; ++i) {
+      const double v = i / 40.0;
+      for (int j = 0; j <= 40; ++j) {
+        const double x = j / 40.0;
+        double mean = 0.0;
+        double combinations = 1.0;
+        for (int k = 0; k <= rays; ++k) {
+          mean += combinations * std::pow(v, k) * std::pow(1.0 - v, rays - k) * std::abs(x - double(k) / rays);
+          combinations *= double(rays - k) / (k + 1);
+        }
+        EXPECT_LE(mean - std::abs(x - v), most_excess(x) + 1e-12) << rays << " rays, " << v << ", " << x;
+      }
+    }
   }
 }
 

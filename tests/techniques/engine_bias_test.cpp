@@ -188,7 +188,7 @@ TEST(EngineBias, Offsets_are_equivalent_only_if_profile_side_and_direction_agree
   }
   expect_words(converted("unity-urp", "playcanvas", courtyard()).numbers[1].reason,
                {"moves the receiver (not the caster)",
-                "has a length that is the same at every angle (not proportional to 1 − cos θ)"});
+                "has a length along the normal that is the same at every angle (not proportional to 1 − cos θ)"});
   EXPECT_EQ(converted("godot:bias=0,normal_bias=2", "three", courtyard()).numbers[0].value, 0.0);
 }
 
