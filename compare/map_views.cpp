@@ -122,12 +122,13 @@ Statistics describe(ViewStatistics& s) {
 
 Statistics describe(SeamStatistics& s) {
   return StatisticsDescription()
-      .field("pixels", s.pixels, "px",
-             fmt::format(
-                 "counted pixels near a seam, looked up in the views on its two sides: those in the outer {:g} % of a "
-                 "cascade's extent that the next one holds, too, or within a texel of the edge of a cube face or "
-                 "paraboloid",
-                 100.0 * seam_zone))
+      .field(
+          "pixels", s.pixels, "px",
+          fmt::format(
+              "counted pixels near a seam, looked up in the views on its two sides: with cascades, those in the outer "
+              "{:g} % of one that also lie in the next; with cube faces or paraboloids, those within a texel of an "
+              "edge",
+              100.0 * seam_zone))
       .field("share", s.share, "1", "share of all counted pixels")
       .field("mean_difference", s.mean_difference, "1", "mean |difference of visibility| between the two views")
       .field("largest_difference", s.largest_difference, "1", "largest of these differences")

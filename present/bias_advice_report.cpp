@@ -127,8 +127,8 @@ ReportTable advice_table(const BiasAdvice& advice) {
     std::string above;
     if (const auto& cell = advice.line.little_acne) {
       const bool looks_equal = share_text(cell->mae) == share_text(advice.plateau.last.mae);
-      above = fmt::format(": the error in the row '{}' is above this limit{}", formula_names[1],
-                          looks_equal ? ", by less than its last digit" : "");
+      above = fmt::format(". The error in the row '{}' is more than that{}", formula_names[1],
+                          looks_equal ? ", though rounding hides it" : "");
     }
     biases.remarks.push_back("The bias of this run is kept: its " + good_error_text() +
                              (advice.used.acne <= little_acne_share

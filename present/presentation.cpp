@@ -153,10 +153,12 @@ std::string offset_text(const TraceStatistics& statistics) {
 
 std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth, bool is_over_pixel) {
   if (precision.pixels == 0) return {};
+  const char* rays = is_over_pixel ? "points" : "rays";
   std::string text = fmt::format(
       "The 95 % confidence intervals account for the sampling noise of the reference. With {:.0f} {} per pixel on "
-      "average, the interval of a single pixel is ± {} % on average and ± {} % at most{}.",
-      precision.mean_samples, is_over_pixel ? "points" : "rays", digits_text(100.0 * precision.mean_half_width, 2),
+      "average, the interval of a single pixel, estimated from the scatter of groups of its {}, is ± {} % on "
+      "average and ± {} % at most{}.",
+      precision.mean_samples, rays, rays, digits_text(100.0 * precision.mean_half_width, 2),
       digits_text(100.0 * precision.worst_half_width, 2),
       is_over_pixel ? "; it is large where few of the points lie on the surface that the pixel's centre shows" : "");
   if (truth.tolerance > 0.0) {

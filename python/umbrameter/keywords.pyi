@@ -58,7 +58,7 @@ class Keywords(TypedDict, total=False):
     shadow_fit_depth: float
     """with fit bounds: depth range of the area about its centre; 0: the scene's [m]; a number from 0 to 1e+12. Default: 0.0."""
     shadow_cascade_fit: Literal['tight', 'stable', 'boxes']
-    """area of a cascade; tight: around what is seen, stable: around the camera's frustum, moved in whole texels, boxes: around the frustum within the boxes of objects; tight, stable or boxes. Default: tight."""
+    """area of a cascade; tight: around what is seen, stable: around the camera's frustum, moved in whole texels, boxes: around the part of it that lies in the bounding boxes of objects; tight, stable or boxes. Default: tight."""
     shadow_cascade_selection: Literal['map', 'depth']
     """cascade of a receiver: the first that contains it, or by its view depth; map or depth. Default: map."""
     shadow_cascade_blend: float

@@ -111,20 +111,23 @@ std::string text_of(const OffsetKind& kind) {
   return text + (kind.direction == OffsetDirection::normal ? "" : ", less the component in the direction of the light");
 }
 
-std::string offset_difference(const OffsetKind& kind, const OffsetKind& other) {
+std::string offset_difference(const OffsetKind& kind, const OffsetKind& given) {
   std::vector<std::string> parts;
-  if (kind.side != other.side) {
-    parts.emplace_back(kind.side == OffsetSide::receiver ? "moves the receiver (not the caster)"
-                                                         : "moves the caster inwards (not the receiver)");
+  if (kind.side != given.side) {
+    parts.emplace_back(kind.side == OffsetSide::receiver
+                           ? "it moves the receiver (the given offset: the caster)"
+                           : "it moves the caster inwards (the given offset: the receiver)");
   }
-  if (kind.profile != other.profile)
-    parts.push_back("has a length along the normal that is " + std::string(length_text(kind.profile)) + " (not " +
-                    length_text(other.profile) + ")");
-  if (kind.direction != other.direction) {
-    parts.emplace_back(kind.direction == OffsetDirection::normal ? "has a component in the direction of the light"
-                                                                 : "has no component in the direction of the light");
+  if (kind.profile != given.profile) {
+    parts.push_back(std::string("its length along the normal is ") + length_text(kind.profile) +
+                    " (the given offset: " + length_text(given.profile) + ")");
   }
-  return joined(parts, " and ");
+  if (kind.direction != given.direction) {
+    parts.emplace_back(kind.direction == OffsetDirection::normal
+                           ? "it has a component in the direction of the light (the given offset: none)"
+                           : "it has no component in the direction of the light (the given offset: one)");
+  }
+  return joined(parts, "; ");
 }
 
 double BiasSettings::operator[](std::string_view name) const {
@@ -241,7 +244,7 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
       continue;
     }
     if (number.term == BiasTerm::normal && !number.takes_any_offset && number.offset != terms.offset) {
-      converted.reason = "unlike the given offset, it " + offset_difference(number.offset, terms.offset);
+      converted.reason = offset_difference(number.offset, terms.offset);
       converted.is_other_kind = true;
       continue;
     }

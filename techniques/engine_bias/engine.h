@@ -51,8 +51,8 @@ struct OffsetKind {
 
 /// "moves the receiver along its normal, by a length × sin θ".
 std::string text_of(const OffsetKind& kind);
-/// What `kind` does otherwise than `other`: "moves the caster inwards (not the receiver)".
-std::string offset_difference(const OffsetKind& kind, const OffsetKind& other);
+/// What `kind` does otherwise than the given one: "it moves the caster inwards (the given offset: the receiver)".
+std::string offset_difference(const OffsetKind& kind, const OffsetKind& given);
 
 inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
 

@@ -65,7 +65,7 @@ Parameters describe(MapFitParams& params) {
           "cascade-fit", params.cascade_fit, cascade_fit_names,
           {.unit = {},
            .meaning = "area of a cascade; tight: around what is seen, stable: around the camera's frustum, moved in "
-                      "whole texels, boxes: around the frustum within the boxes of objects"})
+                      "whole texels, boxes: around the part of it that lies in the bounding boxes of objects"})
       .choice("cascade-selection", params.selection, cascade_selection_names,
               {.unit = {}, .meaning = "cascade of a receiver: the first that contains it, or by its view depth"})
       .field("cascade-blend", params.blend,
