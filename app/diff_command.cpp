@@ -135,7 +135,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> edge_mean
     {{"edge-displacement", "above 0 shadows are larger than in REFERENCE, below 0 smaller (score and map)"},
      {"edge-roughness", "how unevenly TEST's edges run along those of REFERENCE"},
      {"edge-width", "above 0 edges are softer, below 0 sharper (score and map)"},
-     {"edges-found", "of the edge points with a full transition in REFERENCE, the share with one in TEST, too"}}};
+     {"edges-found", "of the edge points that count in REFERENCE alone, the share that counts in both images"}}};
 
 // A figure has other pixels than those that were measured.
 std::string figure_warning(const char* name, const std::filesystem::path& file) {
@@ -332,9 +332,11 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
   }
   if (!edges.empty()) {
     add_line(console, edges);
-    add_line(console, fmt::format("edge points count where both images have a full transition; for edge-roughness, on "
-                                  "edges with at least {} such points",
-                                  fewest_edge_points));
+    add_line(console,
+             fmt::format("an edge point counts if the image passes from below 0.1 to above 0.9 there and at {} or "
+                         "more of the {} points beside it on the edge; for edge-roughness, on edges with at "
+                         "least {} such points",
+                         fewest_edge_lines - 1, 2 * edge_lines, fewest_edge_points));
   }
   if (misaligned) print_line(console, to_text(*misaligned));
   for (const auto& [name, file] : {std::pair{"TEST", diff.test}, {"REFERENCE", diff.reference}}) {

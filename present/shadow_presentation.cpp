@@ -194,8 +194,8 @@ std::string agreement_text(const ClassAgreement& agreement) {
   if (agreement.on_own_layer > 0) {
     text += fmt::format(
         " By ray tests {} of the peter-panning is light leak: where these taps read the map, it holds the receiver's "
-        "own surface and no occluder. They still count as peter-panning: in a sweep this test would take too many "
-        "rays; a single run counts the same way.",
+        "own surface and no occluder. The tables still count them as peter-panning, so that a single run and a sweep "
+        "have the same numbers: in a sweep this test would take too many rays.",
         percent(share_on_own_layer(agreement)));
   }
   return text;

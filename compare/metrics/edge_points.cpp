@@ -11,9 +11,7 @@ namespace {
 constexpr int reach = 32;        // px from the crossing to a plateau
 constexpr float plateau = 0.1f;  // least distance from 0 or 1 that is still one
 constexpr int further = 2;       // px on a plateau that belong to a profile
-constexpr int fit_lines = 3;     // on each side, for the slope of an edge
-constexpr double fewest_in_fit = 4.0;
-constexpr double linked = 1.5;  // px between the crossings of neighbouring lines
+constexpr double linked = 1.5;   // px between the crossings of neighbouring lines
 
 // Rows or columns of both images as lines of pixels.
 struct Lines {
@@ -48,8 +46,8 @@ struct Crossing {
 bool crosses_steeply(const Lines& lines, int line, int before) {
   double along = 0.0;
   double across = 0.0;
-  for (int l = -fit_lines; l <= fit_lines; ++l) {
-    for (int a = -fit_lines; a <= fit_lines + 1; ++a) {
+  for (int l = -edge_lines; l <= edge_lines; ++l) {
+    for (int a = -edge_lines; a <= edge_lines + 1; ++a) {
       if (!lines.counts(line + l, before + a)) continue;
       const auto value = static_cast<double>(lines.reference(line + l, before + a));
       along += a > 0 ? value : -value;
@@ -198,8 +196,8 @@ std::vector<std::vector<std::size_t>> connect(std::vector<Crossing>& all, std::s
 // How far an edge moves along the lines from one line to the next, from a straight line through the places found near
 // one of its crossings; nothing where they are too few.
 std::optional<double> slope_at(const std::vector<Crossing>& all, const std::vector<std::size_t>& edge, std::size_t at) {
-  const std::size_t begin = at < fit_lines ? 0 : at - fit_lines;
-  const std::size_t end = std::min(edge.size(), at + fit_lines + 1);
+  const std::size_t begin = at < edge_lines ? 0 : at - edge_lines;
+  const std::size_t end = std::min(edge.size(), at + edge_lines + 1);
   double sum_line = 0.0;
   double sum_place = 0.0;
   double count = 0.0;
@@ -209,7 +207,7 @@ std::optional<double> slope_at(const std::vector<Crossing>& all, const std::vect
     sum_place += all[edge[i]].place;
     ++count;
   }
-  if (count < fewest_in_fit) return {};
+  if (count < fewest_edge_lines) return {};
   double squares = 0.0;
   double products = 0.0;
   for (std::size_t i = begin; i < end; ++i) {

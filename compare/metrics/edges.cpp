@@ -25,8 +25,8 @@ MetricResult measure_points(const MetricInput& input, const std::vector<EdgePoin
   MetricResult result = mean_of_map(std::move(map), [](std::size_t) { return true; });
   result.details = {{edges_of_reference, static_cast<double>(points.size())},
                     {edges_in_both, found / static_cast<double>(points.size())},
-                    {"mean width of the edge there, in the test image [px]", width / found},
-                    {"mean width of the edge there, in the reference [px]", reference_width / found}};
+                    {"mean width of the edge there, in TEST [px]", width / found},
+                    {"mean width of the edge there, in REFERENCE [px]", reference_width / found}};
   return result;
 }
 
@@ -117,9 +117,9 @@ MetricResult measure_found(const MetricInput& input) {
   }
   MetricResult result = mean_of_map(std::move(map), [](std::size_t) { return true; });
   const auto clear = std::ranges::count_if(all, &EdgePoint::is_found);
-  result.details = {{edges_of_reference, static_cast<double>(all.size())},
-                    {"share of these with a full transition in the reference",
-                     static_cast<double>(clear) / static_cast<double>(all.size())}};
+  result.details = {
+      {edges_of_reference, static_cast<double>(all.size())},
+      {"share of these that counts in REFERENCE alone", static_cast<double>(clear) / static_cast<double>(all.size())}};
   return result;
 }
 

@@ -101,9 +101,13 @@ extern const Metric edge_width_metric;
 extern const Metric edges_found_metric;
 /// Points of an edge that has a roughness.
 inline constexpr std::size_t fewest_edge_points = 8;
-/// Details of the metrics of edges, whose mean is over the points with a full transition in both images.
-inline constexpr const char* edges_of_reference = "edge points of the reference";
-inline constexpr const char* edges_in_both = "share of these that counts";
+/// An edge point counts in an image that passes from below 0.1 to above 0.9 there and at enough of the points of its
+/// edge in the next lines on either side: from these its direction is known.
+inline constexpr int edge_lines = 3;         ///< on either side
+inline constexpr int fewest_edge_lines = 4;  ///< of 2 · edge_lines + 1
+/// Details of the metrics of edges, whose means are over the points that count in both images.
+inline constexpr const char* edges_of_reference = "edge points of REFERENCE";
+inline constexpr const char* edges_in_both = "share of these that counts in both images";
 extern const Metric ldr_flip_metric;
 extern const Metric hdr_flip_metric;
 

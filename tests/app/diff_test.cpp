@@ -125,9 +125,9 @@ TEST(Diff, Warns_that_a_figure_of_a_run_has_other_pixels_than_were_measured) {
   EXPECT_NE(out.find("images.exr with --layer, such as --layer raster_ao"), std::string::npos) << out;
 }
 
-TEST(Diff, Counts_the_edge_points_with_a_full_transition) {
+TEST(Diff, Says_how_many_edge_points_count_in_the_reference_alone) {
   const TemporaryFolder folder;
-  // In the upper half from black to white, in the lower half to a grey that a full transition does not end at.
+  // In the upper half from black to white, in the lower half to a grey below 0.9, where none counts.
   Image<glm::u8vec3> image(64, 64);
   for (int y = 0; y < 64; ++y) {
     for (int x = 32; x < 64; ++x) image.at(x, y) = glm::u8vec3(y < 32 ? 255 : 200);
@@ -135,8 +135,8 @@ TEST(Diff, Counts_the_edge_points_with_a_full_transition) {
   const std::string step = folder.write("step.png", to_png(image));
   const Json found = diff_json({step, step, "--metrics", "edges-found"})["metrics"]["edges-found"];
   EXPECT_EQ(found["score"], 1.0);
-  EXPECT_EQ(found["edge points of the reference"], 64.0);
-  EXPECT_EQ(found["share of these with a full transition in the reference"], 0.5);
+  EXPECT_EQ(found["edge points of REFERENCE"], 64.0);
+  EXPECT_EQ(found["share of these that counts in REFERENCE alone"], 0.5);
 }
 
 TEST(Diff, Says_which_colour_space_it_assumed) {
