@@ -135,7 +135,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> edge_mean
     {{"edge-displacement", "above 0 shadows are larger than in REFERENCE, below 0 smaller (score and map)"},
      {"edge-roughness", "how unevenly TEST's edges run along those of REFERENCE"},
      {"edge-width", "above 0 edges are softer, below 0 sharper (score and map)"},
-     {"edges-found", "of the edge points that count in REFERENCE alone, the share that counts in both images"}}};
+     {"edges-found", "of the edge points that count in REFERENCE, the share that counts in TEST, too"}}};
 
 // A figure has other pixels than those that were measured.
 std::string figure_warning(const char* name, const std::filesystem::path& file) {

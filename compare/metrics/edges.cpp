@@ -119,7 +119,7 @@ MetricResult measure_found(const MetricInput& input) {
   const auto clear = std::ranges::count_if(all, &EdgePoint::is_found);
   result.details = {
       {edges_of_reference, static_cast<double>(all.size())},
-      {"share of these that counts in REFERENCE alone", static_cast<double>(clear) / static_cast<double>(all.size())}};
+      {"share of these that counts in REFERENCE", static_cast<double>(clear) / static_cast<double>(all.size())}};
   return result;
 }
 

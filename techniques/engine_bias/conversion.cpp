@@ -115,17 +115,17 @@ std::string offset_difference(const OffsetKind& kind, const OffsetKind& given) {
   std::vector<std::string> parts;
   if (kind.side != given.side) {
     parts.emplace_back(kind.side == OffsetSide::receiver
-                           ? "it moves the receiver (the given offset: the caster)"
-                           : "it moves the caster inwards (the given offset: the receiver)");
+                           ? "it moves the receiver (the given offset moves the caster)"
+                           : "it moves the caster inwards (the given offset moves the receiver)");
   }
   if (kind.profile != given.profile) {
     parts.push_back(std::string("its length along the normal is ") + length_text(kind.profile) +
-                    " (the given offset: " + length_text(given.profile) + ")");
+                    " (that of the given offset is " + length_text(given.profile) + ")");
   }
   if (kind.direction != given.direction) {
     parts.emplace_back(kind.direction == OffsetDirection::normal
-                           ? "it has a component in the direction of the light (the given offset: none)"
-                           : "it has no component in the direction of the light (the given offset: one)");
+                           ? "it has a component in the direction of the light (the given offset has none)"
+                           : "it has no component in the direction of the light (the given offset has one)");
   }
   return joined(parts, "; ");
 }

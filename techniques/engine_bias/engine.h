@@ -51,7 +51,7 @@ struct OffsetKind {
 
 /// "moves the receiver along its normal, by a length × sin θ".
 std::string text_of(const OffsetKind& kind);
-/// What `kind` does otherwise than the given one: "it moves the caster inwards (the given offset: the receiver)".
+/// What `kind` does otherwise than the given one: "it moves the caster inwards (the given offset moves the receiver)".
 std::string offset_difference(const OffsetKind& kind, const OffsetKind& given);
 
 inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();

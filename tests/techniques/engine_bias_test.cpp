@@ -183,12 +183,13 @@ TEST(EngineBias, Offsets_are_equivalent_only_if_profile_side_and_direction_agree
   for (const char* target : {"three", "unity-urp", "filament", "playcanvas", "babylon"}) {
     const BiasConversion none = converted("godot:normal_bias=2", target, courtyard());
     EXPECT_FALSE(none.numbers[1].value) << target;
-    expect_words(none.numbers[1].reason, {"it has a component in the direction of the light (the given offset: none)"});
+    expect_words(none.numbers[1].reason,
+                 {"it has a component in the direction of the light (the given offset has none)"});
   }
-  expect_words(
-      converted("unity-urp", "playcanvas", courtyard()).numbers[1].reason,
-      {"it moves the receiver (the given offset: the caster)",
-       "its length along the normal is the same at every angle (the given offset: proportional to 1 − cos θ)"});
+  expect_words(converted("unity-urp", "playcanvas", courtyard()).numbers[1].reason,
+               {"it moves the receiver (the given offset moves the caster)",
+                "its length along the normal is the same at every angle (that of the given offset is proportional to 1 "
+                "− cos θ)"});
   EXPECT_EQ(converted("godot:bias=0,normal_bias=2", "three", courtyard()).numbers[0].value, 0.0);
 }
 
