@@ -255,7 +255,7 @@ Json to_json(const std::optional<Misalignment>& found) {
 }
 
 const char* content_text(ImageContent content) {
-  if (content == ImageContent::data) return "data, compared as they are";
+  if (content == ImageContent::data) return "data without colour conversion";
   return content == ImageContent::display ? "sRGB" : "linear";
 }
 
@@ -313,7 +313,7 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
   for (const Measured& each : all) json["metrics"][std::string(each.metric->name)] = to_json(each);
   const bool chose_layer = pair.test.has_other_layers || pair.reference.has_other_layers;
   print_line(console,
-             fmt::format("{}×{} pixels, {} counted, {}{}{}{}", input.test.width, input.test.height, grouped(counted),
+             fmt::format("{}×{} pixels, {} compared, {}{}{}{}", input.test.width, input.test.height, grouped(counted),
                          content_text(pair.content), encodings_text(pair),
                          pair.content == ImageContent::scene ? fmt::format(", shown at {:+g} EV", params.exposure) : "",
                          chose_layer ? "; channels R, G, B: --layer selects another layer" : ""));
@@ -334,8 +334,8 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
     add_line(console, edges);
     add_line(console,
              fmt::format("an edge point counts if the image passes from below 0.1 to above 0.9 there and at {} or "
-                         "more of the {} points beside it on the edge; for edge-roughness, on edges with at "
-                         "least {} such points",
+                         "more of the {} points beside it on the edge; edge-roughness uses only edges on which at "
+                         "least {} points count",
                          fewest_edge_lines - 1, 2 * edge_lines, fewest_edge_points));
   }
   if (misaligned) print_line(console, to_text(*misaligned));

@@ -76,7 +76,7 @@ SamplingPrecision precision_of(const Image<float>& standard_error, const Image<f
   const double quantile = student_95(degrees_of_freedom(params));
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!(samples[i] > 0.0f)) continue;
-    const double half_width = quantile * static_cast<double>(standard_error[i]);
+    const double half_width = std::min(quantile * static_cast<double>(standard_error[i]), 1.0);  // of a share
     ++precision.pixels;
     precision.worst_half_width = std::max(precision.worst_half_width, half_width);
     precision.mean_half_width += half_width;

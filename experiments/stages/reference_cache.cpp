@@ -130,7 +130,7 @@ Traced ReferenceCache::get(const ReferenceKey& key, const CacheTitle& title, con
     visit_members(traced, reader);
     if (reader.is_whole && reader.rest.empty()) {
       traced.statistics.from_cache = true;
-      note_once(fmt::format("{}: using the cached reference ({} rays, traced in {:.2g} s)", title.what,
+      note_once(fmt::format("{}, {}: using the cached reference ({} rays, traced in {:.2g} s)", title.scene, title.what,
                             grouped(traced.statistics.rays), traced.statistics.seconds));
       return traced;
     }

@@ -148,7 +148,7 @@ TEST(Diff, Says_which_colour_space_it_assumed) {
   EXPECT_EQ(json["test_encoding"], "sRGB, assumed");
   EXPECT_EQ(json["reference_encoding"], "sRGB");
   const std::string line = run_program({"diff", grey, stated}).out;
-  EXPECT_NE(line.find("1 counted, sRGB (TEST: sRGB, assumed)\n"), std::string::npos) << line;
+  EXPECT_NE(line.find("1 compared, sRGB (TEST: sRGB, assumed)\n"), std::string::npos) << line;
 }
 
 TEST(Diff, Compares_sizes_before_it_decodes_pixels) {
