@@ -181,7 +181,7 @@ bool finds_few_edges(const std::vector<Measured>& all) {
   constexpr double few = 0.05;  // of the reference's edge points
   return std::ranges::any_of(all, [](const Measured& each) {
     const auto detail =
-        std::ranges::find_if(each.result.details, [](const auto& pair) { return pair.first == edges_in_both; });
+        std::ranges::find_if(each.result.details, [](const auto& pair) { return pair.first == edges_used; });
     return (each.metric->name == "edges-found" && !(each.result.score >= few)) ||
            (detail != each.result.details.end() && !(detail->second >= few));
   });
@@ -334,8 +334,8 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
     add_line(console, edges);
     add_line(console,
              fmt::format("an edge point counts if the image passes from below 0.1 to above 0.9 there and at {} or "
-                         "more of the {} points beside it on the edge; edge-roughness uses only edges on which at "
-                         "least {} points count",
+                         "more of the {} points beside it on the edge; points are used that count in both images, for "
+                         "edge-roughness only those on edges with at least {} of them",
                          fewest_edge_lines - 1, 2 * edge_lines, fewest_edge_points));
   }
   if (misaligned) print_line(console, to_text(*misaligned));

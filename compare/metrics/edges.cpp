@@ -24,7 +24,7 @@ MetricResult measure_points(const MetricInput& input, const std::vector<EdgePoin
   }
   MetricResult result = mean_of_map(std::move(map), [](std::size_t) { return true; });
   result.details = {{edges_of_reference, static_cast<double>(points.size())},
-                    {edges_in_both, found / static_cast<double>(points.size())},
+                    {edges_used, found / static_cast<double>(points.size())},
                     {"mean width of the edge there, in TEST [px]", width / found},
                     {"mean width of the edge there, in REFERENCE [px]", reference_width / found}};
   return result;

@@ -105,9 +105,9 @@ inline constexpr std::size_t fewest_edge_points = 8;
 /// edge in the next lines on either side: from these its direction is known.
 inline constexpr int edge_lines = 3;         ///< on either side
 inline constexpr int fewest_edge_lines = 4;  ///< of 2 · edge_lines + 1
-/// Details of the metrics of edges, whose means are over the points that count in both images.
+/// Details of the metrics of edges. Their means use the points that count in both images.
 inline constexpr const char* edges_of_reference = "edge points of REFERENCE";
-inline constexpr const char* edges_in_both = "share of these that counts in both images";
+inline constexpr const char* edges_used = "share of these that is used";
 extern const Metric ldr_flip_metric;
 extern const Metric hdr_flip_metric;
 

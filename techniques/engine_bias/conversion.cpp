@@ -124,8 +124,8 @@ std::string offset_difference(const OffsetKind& kind, const OffsetKind& given) {
   }
   if (kind.direction != given.direction) {
     parts.emplace_back(kind.direction == OffsetDirection::normal
-                           ? "it has a component in the direction of the light (the given offset has none)"
-                           : "it has no component in the direction of the light (the given offset has one)");
+                           ? "it keeps its part in the direction of the light (the given offset loses it)"
+                           : "it loses its part in the direction of the light (the given offset keeps it)");
   }
   return joined(parts, "; ");
 }

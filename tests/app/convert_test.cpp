@@ -80,7 +80,7 @@ TEST(Convert, Each_cascade_of_a_built_in_scene_follows_the_formulas) {
   expect_formulas(json);
   EXPECT_TRUE(json["to"][0]["numbers"][1]["values"][0].is_null());
   EXPECT_NE(
-      json["to"][0]["numbers"][1]["reason"].get<std::string>().find("has a component in the direction of the light"),
+      json["to"][0]["numbers"][1]["reason"].get<std::string>().find("keeps its part in the direction of the light"),
       std::string::npos);
 }
 
