@@ -124,8 +124,8 @@ std::string offset_difference(const OffsetKind& kind, const OffsetKind& given) {
   }
   if (kind.direction != given.direction) {
     parts.emplace_back(kind.direction == OffsetDirection::normal
-                           ? "it keeps its part in the direction of the light (the given offset loses it)"
-                           : "it loses its part in the direction of the light (the given offset keeps it)");
+                           ? "it includes the component along the light's direction (the given offset leaves it out)"
+                           : "it leaves out the component along the light's direction (the given offset includes it)");
   }
   return joined(parts, "; ");
 }

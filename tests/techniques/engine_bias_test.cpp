@@ -184,7 +184,7 @@ TEST(EngineBias, Offsets_are_equivalent_only_if_profile_side_and_direction_agree
     const BiasConversion none = converted("godot:normal_bias=2", target, courtyard());
     EXPECT_FALSE(none.numbers[1].value) << target;
     expect_words(none.numbers[1].reason,
-                 {"it keeps its part in the direction of the light (the given offset loses it)"});
+                 {"it includes the component along the light's direction (the given offset leaves it out)"});
   }
   expect_words(converted("unity-urp", "playcanvas", courtyard()).numbers[1].reason,
                {"it moves the receiver (the given offset moves the caster)",
