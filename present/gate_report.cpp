@@ -69,16 +69,22 @@ std::string measured_text(const GateCheck& check) {
 
 bool is_judged(const GateCheck& check) { return check.measured && std::isfinite(check.measured->value); }
 
-std::string excess_text(const GateCheck& check) {
-  if (!is_judged(check)) return "—";
-  const std::string text = number_text(check.excess, *check.measured);
+std::string difference_text(double difference, const GateCheck& check) {
+  const std::string text = number_text(difference, *check.measured);
   return text.ends_with(" %") ? text.substr(0, text.size() - 1) + "percentage points" : text;
 }
+
+std::string excess_text(const GateCheck& check) {
+  return is_judged(check) ? difference_text(check.excess, check) : "—";
+}
+
+// The most that other rays of the reference may change the value towards its bound. check.intervals must be finite.
+std::string noise_text(const GateCheck& check) { return difference_text(check.excess / check.intervals, check); }
 
 // Whether the noise of the reference's rays alone may have broken the bound.
 std::string rays_text(const GateCheck& check) {
   if (check.is_kept || !is_judged(check) || !std::isfinite(check.intervals)) return "—";
-  return check.intervals <= 1.0 ? "yes" : fmt::format("no, the excess is {:.3g} times the noise", check.intervals);
+  return check.intervals <= 1.0 ? "yes" : fmt::format("no, at most {} of it", noise_text(check));
 }
 
 // The value that uses the largest share of its bound. A bound of 0 has no shares, and comes last.
@@ -120,9 +126,9 @@ std::string failure_text(const GateCheck& check) {
   if (!is_judged(check)) return "nothing was measured: no pixel counts";
   const std::string by =
       fmt::format("{} is not {}: off by {}", measured_text(check), bound_text(check), excess_text(check));
-  return std::isfinite(check.intervals)
-             ? fmt::format("{}, {:.1f} times the noise of the reference", by, check.intervals)
-             : by;
+  return std::isfinite(check.intervals) ? fmt::format("{}, of which noise of the reference can explain {}", by,
+                                                      check.intervals <= 1.0 ? "all" : "at most " + noise_text(check))
+                                        : by;
 }
 
 std::string markdown_cell(const std::string& text) { return escape_markup(replace_all(text, "|", "\\|")); }

@@ -78,7 +78,7 @@ TEST_F(Check, Only_the_rays_of_a_sampled_reference_give_an_interval) {
   };
   EXPECT_TRUE(last_cell("\"acne\"\nbound = 0\n").starts_with("—"));
   EXPECT_TRUE(last_cell("\"ao.mae\"\nbound = 0.07\n").starts_with("yes"));
-  EXPECT_TRUE(last_cell("\"ao.mae\"\nbound = 0.02\n").starts_with("no, the excess is 2 times the noise"));
+  EXPECT_TRUE(last_cell("\"ao.mae\"\nbound = 0.02\n").starts_with("no, at most 4.0 percentage points of it"));
 }
 
 // Alone, the second run fails as not measured.
