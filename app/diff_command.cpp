@@ -334,8 +334,8 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
     add_line(console, edges);
     add_line(console,
              fmt::format("an edge point counts if the image passes from below 0.1 to above 0.9 there and at {} or "
-                         "more of the {} points beside it on the edge; points are used that count in both images, for "
-                         "edge-roughness only those on edges with at least {} of them",
+                         "more of the {} points beside it on the edge; only points that count in both images are "
+                         "used; edge-roughness also leaves out edges with fewer than {} used points",
                          fewest_edge_lines - 1, 2 * edge_lines, fewest_edge_points));
   }
   if (misaligned) print_line(console, to_text(*misaligned));
