@@ -115,9 +115,10 @@ ReportTable advice_table(const BiasAdvice& advice) {
   if (!advice.withheld && !is_kept) add_row("recommended", advice.plateau.recommended);
   add_row(formula_names[0], advice.plateau.least);
   // Beyond a worse stretch of biases there may be others that are as good.
-  const std::string good = fmt::format(" with at most {} the least error", advice.plateau.is_by_pixels
-                                                                               ? tolerance_text(true) + " more than"
-                                                                               : times_text(1.0 + plateau_tolerance));
+  const std::string limit =
+      (advice.plateau.is_by_pixels ? tolerance_text(true) + " more than" : times_text(1.0 + plateau_tolerance)) +
+      " the least error";
+  const std::string good = " with at most " + limit;
   add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest" + good, advice.plateau.first);
   add_row(advice.plateau.open_above ? "largest bias tested" : "largest" + good, advice.plateau.last);
   if (advice.line.little_acne) add_row(formula_names[1], *advice.line.little_acne);
@@ -127,8 +128,8 @@ ReportTable advice_table(const BiasAdvice& advice) {
     std::string above;
     if (const auto& cell = advice.line.little_acne) {
       const bool looks_equal = share_text(cell->mae) == share_text(advice.plateau.last.mae);
-      above = fmt::format(". The error in the row '{}' is more than that{}", formula_names[1],
-                          looks_equal ? ", though rounding hides it" : "");
+      above = fmt::format(". In the row '{}' the error is more than {}{}", formula_names[1], limit,
+                          looks_equal ? ", by less than rounding shows" : "");
     }
     biases.remarks.push_back("The bias of this run is kept: its " + good_error_text() +
                              (advice.used.acne <= little_acne_share
