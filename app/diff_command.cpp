@@ -143,9 +143,8 @@ std::string figure_warning(const char* name, const std::filesystem::path& file) 
   const std::filesystem::path images = folder.parent_path() / "images.exr";
   if (folder.filename() != "figures" || !std::filesystem::exists(images)) return "";
   return fmt::format(
-      "warning: {} is a figure of a run, enlarged and with its scale: for the pixels that were measured use {} with "
-      "--layer, such as --layer {}",
-      name, std::filesystem::proximate(images).string(), file.stem().string());
+      "warning: {} is a figure of a run, drawn for people: for the pixels that were measured use {} with --layer", name,
+      std::filesystem::proximate(images).string());
 }
 
 // One line for all metrics with the same details.

@@ -42,14 +42,19 @@ void add(ErrorSums& total, const ErrorSums& part);
 /// (mean of the folded normal distribution, Leone, Nelson and Nottingham 1961).
 double folded_excess(double e, double s);
 
-/// The most that noise adds to the absolute error of a technique against a share v. With an estimate v' it adds
-/// 2·E max(v' − raster, 0) if v ≤ raster, else 2·E max(raster − v', 0). Either is at most 2·min(raster, 1 − raster),
-/// because v' has the mean v and stays within 0 to 1: noise adds nothing where the technique shows all or nothing.
+/// The most that noise adds, on average, to the absolute error of a technique against a share v. With an estimate v' it
+/// adds 2·E max(v' − raster, 0) if v ≤ raster, else 2·E max(raster − v', 0). Either is at most 2·min(raster, 1 −
+/// raster), because v' has the mean v and stays within 0 to 1: noise adds nothing where the technique shows all or
+/// nothing.
 double most_excess(double raster);
 
 /// Noise may have moved a measured error away from zero: its excess is taken as if the error were this many standard
 /// errors smaller, which bounds it for all but 2.5 % of the pixels.
 double noise_reach(int degrees_of_freedom);
+
+/// The most that noise may have added to an absolute error that was measured as |error|: its excess after that reach,
+/// but at most `most`.
+double possible_excess(double error, double s, double reach, double most);
 
 /// The largest share that so many rays miss with a probability of at least 5 % (rule of three).
 double unseen_share(double samples);

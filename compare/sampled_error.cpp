@@ -76,7 +76,7 @@ ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, 
     sums.error += error;
     sums.absolute += std::abs(error);
     const double most = truth.is_share ? most_excess(static_cast<double>(raster[i])) : infinity;
-    sums.absolute_bias += std::min(folded_excess(std::max(std::abs(error) - reach * s, 0.0), s), most);
+    sums.absolute_bias += possible_excess(error, s, reach, most);
     sums.squared += error * error;
     sums.squared_noise += error * error * variance;
     sums.variance += variance;
@@ -130,6 +130,10 @@ double folded_excess(double e, double s) {
 double most_excess(double raster) { return 2.0 * std::max(std::min(raster, 1.0 - raster), 0.0); }
 
 double noise_reach(int degrees_of_freedom) { return student_95(degrees_of_freedom); }
+
+double possible_excess(double error, double s, double reach, double most) {
+  return std::min(folded_excess(std::max(std::abs(error) - reach * s, 0.0), s), most);
+}
 
 double unseen_share(double samples) { return std::min(rule_of_three / samples, 1.0); }
 

@@ -31,7 +31,7 @@ PenumbraPixel penumbra_pixel(double raster, const SampledImage& truth, std::size
   pixel.weight_slope = 4.0 * (1.0 - 2.0 * v);
   pixel.error_slope = pixel.weight_slope * error + (raster < v ? pixel.weight : -pixel.weight);
   const double s = std::sqrt(pixel.variance);
-  pixel.excess = pixel.weight * std::min(folded_excess(std::max(error - reach * s, 0.0), s), most_excess(raster));
+  pixel.excess = pixel.weight * possible_excess(error, s, reach, most_excess(raster));
   return pixel;
 }
 

@@ -109,8 +109,7 @@ struct PixelMean {
 // The most that noise may have added to a pixel's term. mean.of_excess must not be null.
 double excess_of(const PixelMean& mean, const PixelValues& values, double reach) {
   const double s = std::sqrt(values.variance);
-  const double excess = folded_excess(std::max(std::abs(values.error) - reach * s, 0.0), s);
-  return mean.of_excess(values) * std::min(excess, values.most_excess);
+  return mean.of_excess(values) * possible_excess(values.error, s, reach, values.most_excess);
 }
 
 template <Cause cause>
